@@ -1,0 +1,150 @@
+//! What a caller can get wrong, with the value at fault and the way out.
+
+/// Result with this crate's [`Error`].
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Every error of the crate. `Display` names the value; [`Error::hint`] names the way out.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// An argument outside its range.
+    #[error("{what} must be {expected}, not {value}")]
+    Argument {
+        /// The argument's name.
+        what: &'static str,
+        /// What it may be.
+        expected: &'static str,
+        /// What it was.
+        value: String,
+    },
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} refers to vertex {index}, but the solid has {vertices} vertices")]
+    TriangleIndex {
+        /// Position of the triangle, from 0.
+        triangle: usize,
+        /// The index at fault.
+        index: i64,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// Something that needs at least one element got none.
+    #[error("{what} is empty")]
+    Empty {
+        /// What is empty.
+        what: &'static str,
+    },
+    /// Volume and the like are undefined on a surface that bounds nothing.
+    #[error("the surface is open: it bounds no volume")]
+    OpenSurface,
+    /// Text that is not a value of the type.
+    #[error("invalid input syntax for type {ty}: \"{text}\"")]
+    Syntax {
+        /// SQL name of the type.
+        ty: &'static str,
+        /// The text, shortened.
+        text: String,
+    },
+    /// Bytes from outside that are not a value of the type.
+    #[error("invalid binary value for type {ty}: {reason}")]
+    Binary {
+        /// SQL name of the type.
+        ty: &'static str,
+        /// What is wrong with them.
+        reason: String,
+    },
+    /// Stored bytes that were valid once and are not now.
+    #[error("{ty} is damaged: {reason}")]
+    Corrupted {
+        /// SQL name of the type.
+        ty: &'static str,
+        /// What is wrong with them.
+        reason: String,
+    },
+    /// A value written by a newer release.
+    #[error("{ty} has layout version {found}; this release reads up to version {known}")]
+    Version {
+        /// SQL name of the type.
+        ty: &'static str,
+        /// The version found.
+        found: u8,
+        /// The newest version known.
+        known: u8,
+    },
+    /// More than the design allows.
+    #[error("{what} is {value}; the most is {limit}")]
+    Limit {
+        /// What is too large.
+        what: &'static str,
+        /// How large it is.
+        value: String,
+        /// How large it may be.
+        limit: String,
+    },
+    /// Two sources that exclude each other wholly.
+    #[error("the masses are in total conflict: one says occupied with certainty, the other empty")]
+    TotalConflict,
+    /// Evidence values that cannot be added up.
+    #[error("the evidence values do not belong together: {reason}")]
+    Mismatch {
+        /// What differs.
+        reason: String,
+    },
+    /// The caller asked to stop.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+impl Error {
+    /// The way out, where there is one to name.
+    pub fn hint(&self) -> Option<String> {
+        Some(match self {
+            Self::TriangleIndex { vertices, .. } => {
+                format!("Vertex indices count from 0; the last one here is {}.", vertices.saturating_sub(1))
+            }
+            Self::OpenSurface => {
+                "Ask ab_closedness(solid) first; area, box and verdicts work on open surfaces too.".into()
+            }
+            Self::Version { .. } => "Install the newer release: ALTER EXTENSION asbuilt UPDATE.".into(),
+            Self::TotalConflict => {
+                "Discount the sources by their reliability (a mass below 1) before they are combined.".into()
+            }
+            Self::Mismatch { .. } => {
+                "Roll up only evidence of the same solid, made with the same ab_evidence_model().".into()
+            }
+            Self::Limit { what, .. } if what.contains("sample") => {
+                "Use a coarser spacing in ab_evidence_model(spacing => ...).".into()
+            }
+            Self::Limit { what, .. } if what.contains("offset") => {
+                "Use a coarser quantum, or give coordinates nearer the scanner.".into()
+            }
+            Self::Limit { what, .. } if what.contains("cone") || what.contains("beams") => {
+                "Cut the beams into angular tiles first, as `asbuilt load` does.".into()
+            }
+            Self::Corrupted { .. } => "Restore the value from a backup or load the scan again.".into(),
+            _ => return None,
+        })
+    }
+
+    /// An [`Error::Argument`].
+    pub fn argument(what: &'static str, expected: &'static str, value: impl ToString) -> Self {
+        Self::Argument { what, expected, value: value.to_string() }
+    }
+
+    /// An [`Error::Syntax`] that quotes at most 80 characters.
+    pub fn syntax(ty: &'static str, text: &str) -> Self {
+        let mut short: String = text.chars().take(80).collect();
+        if short.len() < text.len() {
+            short.push_str("...");
+        }
+        Self::Syntax { ty, text: short }
+    }
+
+    /// An [`Error::Binary`].
+    pub fn binary(ty: &'static str, reason: impl Into<String>) -> Self {
+        Self::Binary { ty, reason: reason.into() }
+    }
+
+    /// An [`Error::Corrupted`].
+    pub fn corrupted(ty: &'static str, reason: impl Into<String>) -> Self {
+        Self::Corrupted { ty, reason: reason.into() }
+    }
+}

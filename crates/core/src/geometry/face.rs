@@ -1,0 +1,135 @@
+//! Faces: the nearly plane pieces of a mesh, each judged as one.
+
+use std::collections::HashMap;
+
+use super::weld::weld;
+use super::{Solid, Vec3};
+
+/// Triangles whose normals differ by no more than this from the first one's may share its face.
+const MAX_TURN_COS: f64 = 0.990_268_068_741_570; // cos 8°
+/// … and whose corners lie no farther than this from its plane.
+const MAX_OFF_PLANE_M: f64 = 0.005;
+
+/// The faces of a solid.
+#[derive(Debug, Clone)]
+pub struct Faces {
+    /// For each triangle its face; degenerate triangles (no area) have [`Faces::NONE`].
+    pub of_triangle: Vec<u32>,
+    /// For each face its unit normal, outward where the solid is closed.
+    pub normals: Vec<Vec3>,
+}
+
+impl Faces {
+    /// The face of a triangle that has no area.
+    pub const NONE: u32 = u32::MAX;
+}
+
+/// Groups triangles into nearly plane faces: grows each over shared edges, largest triangles first, then joins
+/// faces of one plane (both sides of a door, tops of many parts).
+pub fn group_faces(solid: &Solid) -> Faces {
+    let planes: Vec<Option<Plane>> = (0..solid.triangles().len()).map(|t| Plane::of(solid, t)).collect();
+    let neighbours = neighbours(solid);
+    let mut order: Vec<usize> = (0..planes.len()).filter(|&t| planes[t].is_some()).collect();
+    order.sort_by(|&a, &b| area(&planes, b).total_cmp(&area(&planes, a)).then(a.cmp(&b)));
+
+    let mut faces = Faces { of_triangle: vec![Faces::NONE; planes.len()], normals: Vec::new() };
+    let mut by_plane: HashMap<[i64; 4], u32> = HashMap::new();
+    let centre = solid.bounds().centre();
+    for seed in order {
+        let Some(plane) = planes[seed] else { continue };
+        if faces.of_triangle[seed] != Faces::NONE {
+            continue;
+        }
+        let fresh = faces.normals.len() as u32;
+        let face = *by_plane.entry(plane.key(&centre)).or_insert(fresh);
+        if face == fresh {
+            faces.normals.push(plane.normal);
+        }
+        faces.of_triangle[seed] = face;
+        let mut stack = vec![seed];
+        while let Some(t) = stack.pop() {
+            for &u in &neighbours[t] {
+                let joins = faces.of_triangle[u] == Faces::NONE
+                    && planes[u].is_some_and(|p| p.normal.dot(&plane.normal) >= MAX_TURN_COS)
+                    && solid.corners(u).iter().all(|c| (c - plane.point).dot(&plane.normal).abs() <= MAX_OFF_PLANE_M);
+                if joins {
+                    faces.of_triangle[u] = face;
+                    stack.push(u);
+                }
+            }
+        }
+    }
+    faces
+}
+
+#[derive(Clone, Copy)]
+struct Plane {
+    point: Vec3,
+    normal: Vec3,
+    area: f64,
+}
+
+impl Plane {
+    fn of(solid: &Solid, t: usize) -> Option<Self> {
+        let [a, b, c] = solid.corners(t);
+        let n = (b - a).cross(&(c - a));
+        let twice_area = n.norm();
+        (twice_area > 1e-12).then(|| Self { point: a, normal: n / twice_area, area: 0.5 * twice_area })
+    }
+
+    /// Equal for triangles of one plane (about 0.3° and 1 mm); a split at a rounding border only costs a join.
+    fn key(&self, centre: &Vec3) -> [i64; 4] {
+        let n = self.normal;
+        let offset = n.dot(&(self.point - centre));
+        [n.x * 200.0, n.y * 200.0, n.z * 200.0, offset * 1000.0].map(|v| v.round() as i64)
+    }
+}
+
+fn area(planes: &[Option<Plane>], t: usize) -> f64 {
+    planes[t].map_or(0.0, |p| p.area)
+}
+
+fn neighbours(solid: &Solid) -> Vec<Vec<usize>> {
+    let welded = weld(solid.vertices());
+    let mut users: HashMap<(u32, u32), Vec<usize>> = HashMap::new();
+    for (t, tri) in solid.triangles().iter().enumerate() {
+        for k in 0..3 {
+            let (a, b) = (welded[tri[k] as usize], welded[tri[(k + 1) % 3] as usize]);
+            users.entry((a.min(b), a.max(b))).or_default().push(t);
+        }
+    }
+    let mut out = vec![Vec::new(); solid.triangles().len()];
+    // An edge that very many triangles share is a fan's spine or junk; pairing all of them would be quadratic.
+    for shared in users.values().filter(|s| (2..=16).contains(&s.len())) {
+        for &t in shared {
+            out[t].extend(shared.iter().copied().filter(|&u| u != t));
+        }
+    }
+    out.iter_mut().for_each(|n: &mut Vec<usize>| n.sort_unstable());
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cuboid_has_six_faces() {
+        let cube = Solid::cuboid([0.0; 3], [1.0, 2.0, 3.0]).unwrap();
+        let faces = group_faces(&cube);
+        assert_eq!(faces.normals.len(), 6);
+        for (t, &f) in faces.of_triangle.iter().enumerate() {
+            let [a, b, c] = cube.corners(t);
+            let n = (b - a).cross(&(c - a)).normalize();
+            assert!((n - faces.normals[f as usize]).norm() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn coarse_cylinder_keeps_its_facets_and_fine_one_joins_some() {
+        for (sections, at_least, at_most) in [(16, 18, 18), (128, 20, 100)] {
+            let n = group_faces(&Solid::cylinder([0.0; 3], 0.2, 3.0, sections).unwrap()).normals.len();
+            assert!((at_least..=at_most).contains(&n), "{sections}: {n}");
+        }
+    }
+}

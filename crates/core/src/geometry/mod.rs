@@ -1,0 +1,17 @@
+//! Exact geometry of building objects: boxes, meshes, what they enclose and the faces they are seen by.
+
+mod aabb;
+mod closedness;
+mod face;
+mod orient;
+mod solid;
+mod weld;
+
+pub use aabb::Aabb;
+pub use closedness::Closedness;
+pub use face::{Faces, group_faces};
+pub use orient::orient;
+pub use solid::{Solid, SolidHeader};
+
+/// A point or vector in metres.
+pub type Vec3 = nalgebra::Vector3<f64>;

@@ -1,0 +1,282 @@
+//! A building object's geometry: a triangle mesh with what it encloses.
+
+use super::closedness::closedness;
+use super::weld::weld;
+use super::{Aabb, Closedness, Vec3};
+use crate::error::{Error, Result};
+use crate::num::bytes::{Put, Reader};
+
+const TY: &str = "ab_solid";
+
+/// A triangle mesh, world coordinates in metres, triangles counter-clockwise seen from outside.
+///
+/// Byte layout, little-endian, version 1: version u8, `'S'` u8, closedness u8, 0 u8, vertex count u32, triangle
+/// count u32, checksum u32, box 6×f64, area f64, volume f64 (NaN when open), vertices 3×f64, triangles 3×u32.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solid {
+    vertices: Vec<Vec3>,
+    triangles: Vec<[u32; 3]>,
+    bounds: Aabb,
+    area: f64,
+    volume: f64,
+    closedness: Closedness,
+}
+
+impl Solid {
+    /// Layout version written by this release.
+    pub const VERSION: u8 = 1;
+    /// Bytes that suffice for [`Solid::header_bounds`].
+    pub const HEADER_LEN: usize = 80;
+    /// Most vertices or triangles of one solid; keeps a value within PostgreSQL's 1 GB.
+    pub const MAX_ELEMENTS: usize = 20_000_000;
+
+    /// Checks and measures a mesh. A closed mesh that is inside out is turned.
+    pub fn new(vertices: Vec<Vec3>, mut triangles: Vec<[u32; 3]>) -> Result<Self> {
+        check(&vertices, &triangles)?;
+        let bounds = Aabb::around(&vertices);
+        let closedness = closedness(&vertices, &weld(&vertices), &triangles);
+        let centre = bounds.centre();
+        let (mut area, mut six_volume) = (0.0, 0.0);
+        for t in &triangles {
+            let [a, b, c] = t.map(|i| vertices[i as usize] - centre);
+            area += 0.5 * (b - a).cross(&(c - a)).norm();
+            six_volume += a.dot(&b.cross(&c));
+        }
+        if closedness != Closedness::Open && six_volume < 0.0 {
+            triangles.iter_mut().for_each(|t| t.swap(1, 2));
+            six_volume = -six_volume;
+        }
+        let volume = if closedness == Closedness::Open { f64::NAN } else { six_volume / 6.0 };
+        Ok(Self { vertices, triangles, bounds, area, volume, closedness })
+    }
+
+    /// A cuboid between two corners, 12 triangles.
+    pub fn cuboid(min: [f64; 3], max: [f64; 3]) -> Result<Self> {
+        let b = Aabb::new(min, max)?;
+        let corner = |m: usize| Vec3::from_fn(|i, _| if m >> i & 1 == 1 { b.max[i] } else { b.min[i] });
+        let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let triangles = quads.iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]).collect();
+        Self::new((0..8).map(corner).collect(), triangles)
+    }
+
+    /// An upright cylinder on `foot`, its circle inscribed by `sections` chords.
+    pub fn cylinder(foot: [f64; 3], radius: f64, height: f64, sections: u32) -> Result<Self> {
+        let foot = Vec3::from(foot);
+        let rim = |i: u32, z: f64| {
+            let a = f64::from(i) * std::f64::consts::TAU / f64::from(sections);
+            foot + Vec3::new(radius * a.cos(), radius * a.sin(), z)
+        };
+        let mut vertices = vec![foot, foot + Vec3::new(0.0, 0.0, height)];
+        let mut triangles = Vec::new();
+        for i in 0..sections {
+            vertices.extend([rim(i, 0.0), rim(i, height)]);
+            let (low, high) = (2 + 2 * i, 3 + 2 * i);
+            let next = (i + 1) % sections;
+            let (next_low, next_high) = (2 + 2 * next, 3 + 2 * next);
+            triangles.extend([
+                [0, next_low, low],
+                [1, high, next_high],
+                [low, next_low, next_high],
+                [low, next_high, high],
+            ]);
+        }
+        Self::new(vertices, triangles)
+    }
+
+    /// Vertices, metres.
+    pub fn vertices(&self) -> &[Vec3] {
+        &self.vertices
+    }
+
+    /// Triangles as vertex numbers from 0.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// The three corners of triangle `t`.
+    pub fn corners(&self, t: usize) -> [Vec3; 3] {
+        self.triangles[t].map(|i| self.vertices[i as usize])
+    }
+
+    /// Box around all vertices.
+    pub fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    /// Surface area, m².
+    pub fn area(&self) -> f64 {
+        self.area
+    }
+
+    /// Whether the mesh bounds a volume.
+    pub fn closedness(&self) -> Closedness {
+        self.closedness
+    }
+
+    /// Enclosed volume, m³.
+    pub fn volume(&self) -> Result<f64> {
+        if self.closedness == Closedness::Open { Err(Error::OpenSurface) } else { Ok(self.volume) }
+    }
+
+    /// Checksum over vertices and triangles: tells two geometries apart.
+    pub fn fingerprint(&self) -> u32 {
+        crc32fast::hash(&self.payload())
+    }
+
+    fn payload(&self) -> Vec<u8> {
+        let mut p = Vec::with_capacity(24 * self.vertices.len() + 12 * self.triangles.len());
+        self.vertices.iter().for_each(|v| p.put_vec3(v));
+        self.triangles.iter().flatten().for_each(|&i| p.put_u32(i));
+        p
+    }
+
+    /// The stored and transmitted form.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let payload = self.payload();
+        let mut out = Vec::with_capacity(Self::HEADER_LEN + payload.len());
+        out.put(&[Self::VERSION, b'S', self.closedness as u8, 0]);
+        out.put_u32(self.vertices.len() as u32);
+        out.put_u32(self.triangles.len() as u32);
+        out.put_u32(crc32fast::hash(&payload));
+        self.bounds.min.iter().chain(&self.bounds.max).for_each(|&c| out.put_f64(c));
+        out.put_f64(self.area);
+        out.put_f64(self.volume);
+        out.put(&payload);
+        out
+    }
+
+    /// Reads foreign bytes: everything that can be derived is derived anew, so nothing in them is trusted.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+        let (mut r, n_vertices, n_triangles, checksum) = Self::open(bytes)?;
+        r.take(Self::HEADER_LEN - 16)?;
+        if r.remaining() as u64 != 24 * n_vertices as u64 + 12 * n_triangles as u64 {
+            return Err(r.bad(format!("{n_vertices} vertices and {n_triangles} triangles do not fill its length")));
+        }
+        let payload = r.clone().take(r.remaining())?;
+        if crc32fast::hash(payload) != checksum {
+            return Err(Error::corrupted(TY, "the checksum does not match"));
+        }
+        let vertices = (0..n_vertices).map(|_| r.vec3()).collect::<Result<_>>()?;
+        let triangles = (0..n_triangles).map(|_| Ok([r.u32()?, r.u32()?, r.u32()?])).collect::<Result<Vec<_>>>()?;
+        Self::new(vertices, triangles)
+    }
+
+    /// Box, area, volume and closedness from the first [`Solid::HEADER_LEN`] bytes alone.
+    pub fn header(bytes: &[u8]) -> Result<SolidHeader> {
+        let (mut r, vertices, triangles, _) = Self::open(bytes)?;
+        let closedness = Closedness::from_u8(bytes[2]).ok_or_else(|| r.bad("unknown closedness"))?;
+        let (min, max) = (r.vec3()?, r.vec3()?);
+        let bounds = Aabb { min: min.into(), max: max.into() };
+        Ok(SolidHeader { bounds, area: r.f64()?, volume: r.f64()?, closedness, vertices, triangles })
+    }
+
+    fn open(bytes: &[u8]) -> Result<(Reader<'_>, usize, usize, u32)> {
+        let mut r = Reader::new(bytes, TY);
+        let version = r.u8()?;
+        if r.u8()? != b'S' {
+            return Err(r.bad("it does not start as a solid does"));
+        }
+        if version == 0 || version > Self::VERSION {
+            return Err(Error::Version { ty: TY, found: version, known: Self::VERSION });
+        }
+        r.take(2)?;
+        let (v, t, c) = (r.u32()? as usize, r.u32()? as usize, r.u32()?);
+        Ok((r, v, t, c))
+    }
+}
+
+/// What a solid's header tells without its mesh.
+#[derive(Debug, Clone, Copy)]
+pub struct SolidHeader {
+    /// Box around all vertices.
+    pub bounds: Aabb,
+    /// Surface area, m².
+    pub area: f64,
+    /// Volume, m³; NaN for an open surface.
+    pub volume: f64,
+    /// Whether the mesh bounds a volume.
+    pub closedness: Closedness,
+    /// Number of vertices.
+    pub vertices: usize,
+    /// Number of triangles.
+    pub triangles: usize,
+}
+
+fn check(vertices: &[Vec3], triangles: &[[u32; 3]]) -> Result<()> {
+    if triangles.is_empty() {
+        return Err(Error::Empty { what: "the solid's list of triangles" });
+    }
+    if vertices.len().max(triangles.len()) > Solid::MAX_ELEMENTS {
+        return Err(Error::Limit {
+            what: "the number of vertices or triangles",
+            value: vertices.len().max(triangles.len()).to_string(),
+            limit: Solid::MAX_ELEMENTS.to_string(),
+        });
+    }
+    if let Some(x) = vertices.iter().flatten().find(|x| !(x.abs() <= 1e9)) {
+        return Err(Error::argument("a vertex coordinate", "finite and within 1e9 m", x));
+    }
+    for (t, tri) in triangles.iter().enumerate() {
+        if let Some(&i) = tri.iter().find(|&&i| i as usize >= vertices.len()) {
+            return Err(Error::TriangleIndex { triangle: t, index: i64::from(i), vertices: vertices.len() });
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn cuboid_measures() {
+        let s = Solid::cuboid([6e5, 5.3e6, 500.0], [6e5 + 1.0, 5.3e6 + 2.0, 503.0]).unwrap();
+        assert!((s.area() - 22.0).abs() < 1e-9);
+        assert!((s.volume().unwrap() - 6.0).abs() < 1e-9);
+        assert_eq!(s.closedness(), Closedness::Closed);
+    }
+
+    #[test]
+    fn inside_out_is_turned() {
+        let s = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap();
+        let flipped = s.triangles.iter().map(|t| [t[0], t[2], t[1]]).collect();
+        assert_eq!(Solid::new(s.vertices.clone(), flipped).unwrap().volume().unwrap(), s.volume().unwrap());
+    }
+
+    #[test]
+    fn bytes_round_trip_and_header_agrees() {
+        let s = Solid::cylinder([1.0, 2.0, 3.0], 0.2, 3.0, 24).unwrap();
+        let bytes = s.to_bytes();
+        assert_eq!(Solid::from_bytes(&bytes).unwrap(), s);
+        let h = Solid::header(&bytes[..Solid::HEADER_LEN]).unwrap();
+        assert_eq!((h.bounds, h.area, h.closedness), (s.bounds, s.area, s.closedness));
+    }
+
+    #[test]
+    fn bad_meshes_are_refused() {
+        let v = vec![Vec3::zeros(), Vec3::x(), Vec3::y()];
+        assert!(matches!(Solid::new(v.clone(), vec![]), Err(Error::Empty { .. })));
+        let e = Solid::new(v.clone(), vec![[0, 1, 3]]).unwrap_err();
+        assert_eq!(e.to_string(), "triangle 0 refers to vertex 3, but the solid has 3 vertices");
+        let nan = vec![Vec3::new(f64::NAN, 0.0, 0.0), Vec3::x(), Vec3::y()];
+        assert!(Solid::new(nan, vec![[0, 1, 2]]).is_err());
+        let open = Solid::new(v, vec![[0, 1, 2]]).unwrap();
+        assert_eq!(open.volume(), Err(Error::OpenSurface));
+        assert_eq!(open.area(), 0.5);
+    }
+
+    proptest! {
+        #[test]
+        fn damaged_bytes_never_panic(cut in 0usize..400, flips in prop::collection::vec((0usize..400, any::<u8>()), 0..8)) {
+            let mut bytes = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap().to_bytes();
+            for (at, x) in flips {
+                let n = bytes.len();
+                bytes[at % n] ^= x;
+            }
+            bytes.truncate(bytes.len().saturating_sub(cut % 50));
+            let _ = Solid::from_bytes(&bytes);
+            let _ = Solid::header(&bytes);
+        }
+    }
+}

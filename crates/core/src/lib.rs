@@ -1,0 +1,31 @@
+//! The mathematics and data layouts of asbuilt, free of PostgreSQL and of I/O.
+//!
+//! Read in this order; each module uses only those above it:
+//!
+//! * [`num`]: the normal distribution, byte cursors, shortest decimal text;
+//! * [`geometry`]: boxes, triangle meshes ([`geometry::Solid`]), their faces;
+//! * [`evidence`]: belief masses, Dempster's rule, the published ray model, levels of accuracy;
+//! * [`scan`]: beams from one origin, packed in angular tiles ([`scan::Patch`]);
+//! * [`verify`]: what the beams say about a solid ([`verify::Evidence`]) and the verdict.
+//!
+//! Lengths are metres, angles radians. Whatever a caller can get wrong comes back as [`Error`]; a panic is a bug.
+
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+
+pub mod error;
+pub mod evidence;
+pub mod geometry;
+pub mod num;
+pub mod scan;
+pub mod verify;
+
+pub use error::{Error, Result};
+
+/// Asked now and then by long work; `true` means: stop with [`Error::Interrupted`].
+pub type Interrupt<'a> = &'a dyn Fn() -> bool;
+
+/// Turns an [`Interrupt`] that says stop into the error that unwinds the work.
+pub(crate) fn poll(interrupt: Interrupt) -> Result<()> {
+    if interrupt() { Err(Error::Interrupted) } else { Ok(()) }
+}

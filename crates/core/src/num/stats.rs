@@ -1,0 +1,38 @@
+//! Order statistics for robust location and spread.
+
+/// Median of `values` (reordered in place); `None` when empty. An even count gives the mean of the middle two.
+pub fn median(values: &mut [f64]) -> Option<f64> {
+    let n = values.len();
+    if n == 0 {
+        return None;
+    }
+    let (below, &mut upper, _) = values.select_nth_unstable_by(n / 2, f64::total_cmp);
+    if n % 2 == 1 {
+        return Some(upper);
+    }
+    let lower = below.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    Some(0.5 * (lower + upper))
+}
+
+/// Median and robust standard deviation (1.4826 × median absolute deviation, consistent for a normal sample).
+pub fn median_and_spread(values: &mut [f64]) -> Option<(f64, f64)> {
+    let centre = median(values)?;
+    for v in values.iter_mut() {
+        *v = (*v - centre).abs();
+    }
+    Some((centre, 1.4826 * median(values)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn medians() {
+        assert_eq!(median(&mut []), None);
+        assert_eq!(median(&mut [3.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(median(&mut [4.0, 1.0, 2.0, 3.0]), Some(2.5));
+        let (m, s) = median_and_spread(&mut [1.0, 2.0, 3.0, 4.0, 100.0]).unwrap();
+        assert_eq!((m, s), (3.0, 1.4826));
+    }
+}

@@ -1,0 +1,69 @@
+//! Cones of directions.
+
+use crate::geometry::Vec3;
+
+/// All directions within `half_angle` of `axis`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cone {
+    /// Unit vector.
+    pub axis: Vec3,
+    /// Radians, 0 to π.
+    pub half_angle: f64,
+}
+
+impl Cone {
+    /// A small cone around unit vectors: their mean direction, then the farthest of them.
+    pub fn around(directions: &[Vec3]) -> Self {
+        let sum: Vec3 = directions.iter().sum();
+        let axis = sum.try_normalize(1e-9).or(directions.first().copied()).unwrap_or_else(Vec3::x);
+        let half_angle = directions.iter().map(|d| angle(&axis, d)).fold(0.0, f64::max);
+        Self { axis, half_angle }
+    }
+
+    /// Whether the cone with its apex at the coordinate origin, widened by `margin` radians, meets a ball.
+    pub fn meets_ball(&self, centre: &Vec3, radius: f64, margin: f64) -> bool {
+        let distance = centre.norm();
+        if distance <= radius {
+            return true;
+        }
+        let limit = self.half_angle + margin + (radius / distance).asin();
+        limit >= std::f64::consts::PI || centre.dot(&self.axis) >= distance * limit.cos()
+    }
+
+    /// Two unit vectors that complete the axis to a right-handed frame.
+    pub fn basis(&self) -> [Vec3; 2] {
+        let helper = if self.axis.z.abs() < 0.9 { Vec3::z() } else { Vec3::x() };
+        let u = helper.cross(&self.axis).normalize();
+        [u, self.axis.cross(&u)]
+    }
+}
+
+/// Angle between unit vectors, exact for small angles too.
+fn angle(a: &Vec3, b: &Vec3) -> f64 {
+    a.cross(b).norm().atan2(a.dot(b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cone_holds_its_directions_and_meets_what_it_should() {
+        let dirs: Vec<Vec3> =
+            (0..100).map(|i| Vec3::new(1.0, 0.01 * (i % 10) as f64, 0.01 * (i / 10) as f64).normalize()).collect();
+        let cone = Cone::around(&dirs);
+        assert!(dirs.iter().all(|d| angle(&cone.axis, d) <= cone.half_angle));
+        assert!(cone.half_angle < 0.08);
+        assert!(cone.meets_ball(&(cone.axis * 10.0), 0.0, 0.0));
+        assert!(!cone.meets_ball(&(cone.axis * -10.0), 1.0, 0.0));
+        assert!(cone.meets_ball(&(cone.axis * -10.0), 10.5, 0.0));
+    }
+
+    #[test]
+    fn basis_is_right_handed() {
+        for axis in [Vec3::x(), Vec3::z(), Vec3::new(1.0, 2.0, -3.0).normalize()] {
+            let [u, v] = Cone { axis, half_angle: 0.1 }.basis();
+            assert!((u.cross(&v) - axis).norm() < 1e-12);
+        }
+    }
+}

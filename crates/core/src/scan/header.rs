@@ -1,0 +1,124 @@
+//! What a patch tells without its payload.
+
+use super::Cone;
+use crate::error::{Error, Result};
+use crate::geometry::{Aabb, Vec3};
+use crate::num::bytes::{Put, Reader};
+
+pub(super) const TY: &str = "ab_scan";
+
+/// How far the beams' hull is grown on every side. A surface up to this far behind the returns is still joined
+/// with them by `&&`, so that an object built in front of where it was drawn is found; the widest search band.
+pub const JOIN_MARGIN_M: f64 = 0.150;
+
+/// Header of a patch: fixed size, readable alone.
+///
+/// Byte layout, little-endian, version 1: version u8, `'P'` u8, flags u8, 0 u8, beams u32, returns u32, payload
+/// length u32, payload checksum u32, half-angle f32, step f32, range min and max f32, (pad) u32, station i64,
+/// origin 3×f64, quantum f64, point box 6×f64, hull 6×f64, axis 3×f64.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Header {
+    /// See the `FLAG_` constants.
+    pub flags: u8,
+    /// Beams, those without return included.
+    pub beams: u32,
+    /// Beams with a return.
+    pub returns: u32,
+    /// Bytes after the header.
+    pub payload_len: u32,
+    /// CRC-32 of the payload.
+    pub checksum: u32,
+    /// Smallest and largest range of a return, metres; `[0, 0]` when there is none.
+    pub range: [f32; 2],
+    /// Angle between neighbouring beams, radians; for points without origin their spacing in metres.
+    pub step: f32,
+    /// The scanner position's number, as the user keeps it.
+    pub station: i64,
+    /// Where the beams start, world metres; for points without origin a reference point.
+    pub origin: Vec3,
+    /// Unit of the packed coordinates, metres; a coordinate is off by at most half of it.
+    pub quantum: f64,
+    /// Box of the returns, world metres; flat at the origin when there is none.
+    pub points: Aabb,
+    /// Hull of origin and returns, grown by [`JOIN_MARGIN_M`]: what `&&` compares.
+    pub hull: Aabb,
+    /// Directions of the beams.
+    pub cone: Cone,
+}
+
+impl Header {
+    /// Layout version written by this release.
+    pub const VERSION: u8 = 1;
+    /// Bytes of a header.
+    pub const LEN: usize = 200;
+    /// Some beams have no return.
+    pub const FLAG_NO_RETURNS: u8 = 1;
+    /// The points have no origin (dense matching): they say "occupied", never "empty".
+    pub const FLAG_NO_ORIGIN: u8 = 2;
+    const KNOWN_FLAGS: u8 = 3;
+
+    /// Whether the points were seen from [`Header::origin`].
+    pub fn has_origin(&self) -> bool {
+        self.flags & Self::FLAG_NO_ORIGIN == 0
+    }
+
+    pub(super) fn write(&self, out: &mut Vec<u8>) {
+        out.put(&[Self::VERSION, b'P', self.flags, 0]);
+        [self.beams, self.returns, self.payload_len, self.checksum].iter().for_each(|&v| out.put_u32(v));
+        out.put_f32(self.cone.half_angle as f32);
+        out.put_f32(self.step);
+        self.range.iter().for_each(|&v| out.put_f32(v));
+        out.put_u32(0);
+        out.put_i64(self.station);
+        out.put_vec3(&self.origin);
+        out.put_f64(self.quantum);
+        for b in [&self.points, &self.hull] {
+            b.min.iter().chain(&b.max).for_each(|&c| out.put_f64(c));
+        }
+        out.put_vec3(&self.cone.axis);
+    }
+
+    /// Reads a header from the first [`Header::LEN`] bytes (or more) of a patch.
+    pub fn read(bytes: &[u8]) -> Result<Self> {
+        let mut r = Reader::new(bytes.get(..Self::LEN).unwrap_or(bytes), TY);
+        let version = r.u8()?;
+        if r.u8()? != b'P' {
+            return Err(r.bad("it does not start as a scan patch does"));
+        }
+        if version == 0 || version > Self::VERSION {
+            return Err(Error::Version { ty: TY, found: version, known: Self::VERSION });
+        }
+        let flags = r.u8()?;
+        if flags & !Self::KNOWN_FLAGS != 0 {
+            return Err(r.bad(format!("unknown flags {flags:#04x}")));
+        }
+        r.u8()?;
+        let [beams, returns, payload_len, checksum] = [r.u32()?, r.u32()?, r.u32()?, r.u32()?];
+        let half_angle = f64::from(r.f32()?);
+        let step = r.f32()?;
+        let range = [r.f32()?, r.f32()?];
+        r.u32()?;
+        let station = r.i64()?;
+        let origin = r.vec3()?;
+        let quantum = r.f64()?;
+        let mut aabb = || Ok::<_, Error>(Aabb { min: r.vec3()?.into(), max: r.vec3()?.into() });
+        let (points, hull) = (aabb()?, aabb()?);
+        let axis = r.vec3()?;
+        let cone = Cone { axis, half_angle };
+        Ok(Self {
+            flags,
+            beams,
+            returns,
+            payload_len,
+            checksum,
+            range,
+            step,
+            station,
+            origin,
+            quantum,
+            points,
+            hull,
+            cone,
+        })
+    }
+}

@@ -1,0 +1,107 @@
+//! Cutting a scan into angular tiles.
+
+use super::Beam;
+use crate::geometry::Vec3;
+
+/// Most beams of a tile.
+pub const MAX_BEAMS: usize = 4096;
+/// Widest tile on the cube map, about 1 rad: sparse scans get more, smaller tiles rather than wide cones.
+const MAX_EXTENT: f64 = 1.0;
+
+/// Cuts beams into tiles of at most [`MAX_BEAMS`] neighbouring directions; each is a list of beam numbers in scan
+/// order. Every beam is in exactly one tile; beams of zero length are in none.
+///
+/// Directions are laid on the faces of a cube (no pole, unlike azimuth and elevation), then each face is halved
+/// across its longer side into equal counts until the tiles are small.
+pub fn tiles(beams: &[Beam]) -> Vec<Vec<u32>> {
+    let mut faces: [Vec<Place>; 6] = Default::default();
+    for (i, b) in beams.iter().enumerate() {
+        if let Some((face, uv)) = cube_map(&b.offset) {
+            faces[face].push(Place { uv, beam: i as u32 });
+        }
+    }
+    let mut out = Vec::new();
+    for face in &mut faces {
+        split(face, &mut out);
+    }
+    out
+}
+
+struct Place {
+    uv: [f64; 2],
+    beam: u32,
+}
+
+/// Face of the cube that a direction meets, and where on it, each coordinate in [−1, 1].
+fn cube_map(v: &Vec3) -> Option<(usize, [f64; 2])> {
+    let axis = v.iamax();
+    let top = v[axis].abs();
+    if !(top > 1e-9) {
+        return None;
+    }
+    let face = 2 * axis + usize::from(v[axis] < 0.0);
+    Some((face, [v[(axis + 1) % 3] / top, v[(axis + 2) % 3] / top]))
+}
+
+fn split(places: &mut [Place], out: &mut Vec<Vec<u32>>) {
+    if places.is_empty() {
+        return;
+    }
+    let side = |k: usize| {
+        let (lo, hi) =
+            places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), p| (lo.min(p.uv[k]), hi.max(p.uv[k])));
+        hi - lo
+    };
+    let extent = [side(0), side(1)];
+    if places.len() <= MAX_BEAMS && extent[0].max(extent[1]) <= MAX_EXTENT {
+        let mut tile: Vec<u32> = places.iter().map(|p| p.beam).collect();
+        tile.sort_unstable();
+        out.push(tile);
+        return;
+    }
+    let k = usize::from(extent[1] > extent[0]);
+    // Share out whole tiles, so that the last ones are not half empty.
+    let tiles = places.len().div_ceil(MAX_BEAMS).max(2);
+    let middle = (places.len() * (tiles / 2) / tiles).clamp(1, places.len() - 1);
+    places.select_nth_unstable_by(middle, |a, b| a.uv[k].total_cmp(&b.uv[k]).then(a.beam.cmp(&b.beam)));
+    let (low, high) = places.split_at_mut(middle);
+    split(low, out);
+    split(high, out);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scan::Cone;
+
+    #[test]
+    fn a_full_sphere_is_cut_into_narrow_full_tiles() {
+        let step = 8e-3;
+        let beams: Vec<Beam> = (0..785 * 390)
+            .map(|i| {
+                let (az, el) = (f64::from(i / 390) * step, f64::from(i % 390) * step - 1.55);
+                Beam { offset: Vec3::new(el.cos() * az.cos(), el.cos() * az.sin(), el.sin()) * 5.0, returned: true }
+            })
+            .collect();
+        let tiles = tiles(&beams);
+        let mut seen = vec![0; beams.len()];
+        for tile in &tiles {
+            assert!(tile.len() <= MAX_BEAMS && tile.is_sorted());
+            tile.iter().for_each(|&b| seen[b as usize] += 1);
+            let directions: Vec<Vec3> = tile.iter().map(|&b| beams[b as usize].offset.normalize()).collect();
+            assert!(Cone::around(&directions).half_angle < 0.75);
+        }
+        assert!(seen.iter().all(|&n| n == 1));
+        assert!(tiles.len() * MAX_BEAMS < beams.len() * 5 / 4, "{} tiles", tiles.len());
+    }
+
+    #[test]
+    fn degenerate_scans() {
+        let beam = |v: Vec3| Beam { offset: v, returned: true };
+        assert!(tiles(&[]).is_empty());
+        assert!(tiles(&[beam(Vec3::zeros())]).is_empty());
+        let same = vec![beam(Vec3::x()); 10_000];
+        assert_eq!(tiles(&same).iter().map(Vec::len).sum::<usize>(), 10_000);
+        assert_eq!(tiles(&[beam(Vec3::x()), beam(-Vec3::x())]).len(), 2);
+    }
+}

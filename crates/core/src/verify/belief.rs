@@ -1,0 +1,152 @@
+//! From the sums of all stations to the belief at one sample.
+
+use super::evidence::{Evidence, Station};
+use super::model::{EvidenceModel, ModelKind};
+use super::ray_sums;
+use super::sums::Sums;
+use super::surface_sums::SurfaceReading;
+use crate::evidence::{LogCommonality, Mass};
+use crate::geometry::Vec3;
+use crate::num::normal::cdf;
+
+/// How much of the reliability a surface in front of the face keeps: it may be furniture.
+const IN_FRONT_RELIABILITY: f64 = 0.9;
+/// Joint coverage by the stations from which a sample counts as seen.
+const SEEN_COVERAGE: f64 = 0.5;
+
+/// What is believed at one sample.
+#[derive(Debug, Clone, Copy)]
+pub struct SampleBelief {
+    /// Combined mass: is the built surface within ±T of the face here?
+    pub mass: Mass,
+    /// Belief that a surface stands in front of the face, beyond T: displaced object or clutter.
+    pub in_front: f64,
+    /// Share of the beams that pierced the face.
+    pub pierced: f64,
+    /// Deviation of the built surface along the outward normal, metres, and its standard deviation.
+    pub deviation: Option<(f64, f64)>,
+    /// Beams that spoke.
+    pub beams: u32,
+    /// Stations that saw a surface here.
+    pub stations: u32,
+    /// Whether enough beams spoke to call the sample seen.
+    pub seen: bool,
+    /// Conflict between stations.
+    pub conflict: f64,
+}
+
+/// Adds up stations at one sample.
+struct Accumulator {
+    commonality: LogCommonality,
+    not_in_front: f64,
+    not_covered: f64,
+    hit: f64,
+    through: f64,
+    /// Σ d/σ² and Σ 1/σ².
+    weighted_deviation: f64,
+    precision: f64,
+    beams: u32,
+    stations: u32,
+}
+
+impl Evidence {
+    /// Belief at sample `i` of block `b`, with the tolerance of `model` (which may ask for another level of
+    /// accuracy than the evidence was made for).
+    pub(super) fn belief(&self, b: usize, i: usize, model: &EvidenceModel) -> SampleBelief {
+        let mut acc = Accumulator::new();
+        let block = &self.samples.blocks[b];
+        let normal = &self.samples.normals[block.face as usize];
+        let position = self.samples.position(block.start as usize + i);
+        for station in &self.stations {
+            let Some(sums) = station.blocks[b].as_ref().map(|s| &s[i]).filter(|s| !s.is_empty()) else { continue };
+            acc.beams = acc.beams.saturating_add(sums.beams);
+            match model.kind {
+                ModelKind::Surface => acc.add_surface(station, sums, &position, normal, model),
+                ModelKind::Meyer2022 => acc.add_rays(sums),
+            }
+        }
+        acc.finish()
+    }
+}
+
+impl Accumulator {
+    fn new() -> Self {
+        Self {
+            commonality: LogCommonality::default(),
+            not_in_front: 1.0,
+            not_covered: 1.0,
+            hit: 0.0,
+            through: 0.0,
+            weighted_deviation: 0.0,
+            precision: 0.0,
+            beams: 0,
+            stations: 0,
+        }
+    }
+
+    /// One station as one body of evidence: docs/method.md, "surface".
+    fn add_surface(&mut self, station: &Station, sums: &Sums, position: &Vec3, normal: &Vec3, model: &EvidenceModel) {
+        let Some(r) = SurfaceReading::of(sums) else { return };
+        let sight = position - station.origin;
+        let range = sight.norm().max(1e-6);
+        let cos = sight.dot(normal).abs() / range;
+        let covered = 1.0 - (-(r.hit + r.through)).exp();
+        let hit_share = r.hit / (r.hit + r.through);
+        let sigma = deviation_sigma(&r, range, cos, model);
+        let tolerance = model.tolerance();
+        let below = |x: f64| cdf((x - r.deviation) / sigma);
+        let trust = model.reliability * covered;
+        let (up, down) = (below(tolerance), below(-tolerance));
+        let occupied = trust * hit_share * (up - down).max(0.0);
+        // 1 − h·Φ((T+d)/σ), with Φ((T+d)/σ) = 1 − Φ((−T−d)/σ).
+        let empty = trust * (1.0 - hit_share * (1.0 - down));
+        let mass = Mass { occupied, empty, unknown: (1.0 - occupied - empty).max(1.0 - model.reliability) };
+        self.commonality.add(&mass.log_commonality());
+        self.not_in_front *= 1.0 - IN_FRONT_RELIABILITY * trust * hit_share * (1.0 - up);
+        self.not_covered *= 1.0 - covered;
+        self.hit += r.hit;
+        self.through += r.through;
+        if r.hit > 0.0 {
+            // Sums count towards the scanner; the value reported counts along the outward normal.
+            let outward = if sight.dot(normal) <= 0.0 { r.deviation } else { -r.deviation };
+            let weight = r.hit.min(1.0) / (sigma * sigma);
+            self.weighted_deviation += weight * outward;
+            self.precision += weight;
+            self.stations += 1;
+        }
+    }
+
+    fn add_rays(&mut self, sums: &Sums) {
+        let q = ray_sums::reading(sums);
+        let own = q.mass().unwrap_or(Mass::VACUOUS);
+        self.commonality.add(&q);
+        self.not_covered *= own.unknown;
+        self.hit += own.occupied;
+        self.through += own.empty;
+    }
+
+    fn finish(self) -> SampleBelief {
+        let deviation =
+            (self.precision > 0.0).then(|| (self.weighted_deviation / self.precision, self.precision.sqrt().recip()));
+        let spoke = self.hit + self.through;
+        SampleBelief {
+            mass: self.commonality.mass().unwrap_or(Mass::VACUOUS),
+            in_front: 1.0 - self.not_in_front,
+            pierced: if spoke > 0.0 { self.through / spoke } else { 0.0 },
+            deviation,
+            beams: self.beams,
+            stations: self.stations,
+            seen: 1.0 - self.not_covered >= SEEN_COVERAGE,
+            conflict: self.commonality.conflict(),
+        }
+    }
+}
+
+/// σ of a station's mean deviation at a sample: noise of range and angle (or the observed scatter, if that is
+/// larger) averaged over the beams, then what all its beams share, registration and the model itself.
+fn deviation_sigma(r: &SurfaceReading, range: f64, cos: f64, model: &EvidenceModel) -> f64 {
+    let sin = (1.0 - cos * cos).max(0.0).sqrt();
+    let one_beam = (model.sigma_range * cos).powi(2) + (model.sigma_angle * range * sin).powi(2);
+    let averaged = one_beam.max(r.variance) / r.effective.max(1.0);
+    (averaged + model.sigma_station.powi(2) + model.sigma_model.powi(2)).sqrt().max(1e-6)
+}

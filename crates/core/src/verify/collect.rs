@@ -1,0 +1,155 @@
+//! Adding patches to the evidence about one solid.
+
+use super::crossing::Target;
+use super::evidence::Evidence;
+use super::model::{EvidenceModel, ModelKind};
+use super::sample::{Block, Samples};
+use super::sums::Sums;
+use super::{ray_sums, surface_sums};
+use crate::geometry::{Solid, Vec3};
+use crate::scan::{Header, Patch, View};
+use crate::{Interrupt, Result, poll};
+
+/// Evidence in the making: the value, and the solid made ready for beams.
+#[derive(Debug)]
+pub struct Collector {
+    evidence: Evidence,
+    target: Target,
+    /// Ball (local centre, radius) around each block of samples.
+    balls: Vec<(Vec3, f64)>,
+}
+
+impl Collector {
+    /// Spreads samples over the solid; no patch has spoken yet.
+    pub fn new(solid: &Solid, model: EvidenceModel, interrupt: Interrupt) -> Result<Self> {
+        let samples = Samples::on(solid, model.spacing, interrupt)?;
+        let balls = samples.blocks.iter().map(|b| samples.ball(b)).collect();
+        let evidence =
+            Evidence { model, fingerprint: solid.fingerprint(), bounds: solid.bounds(), samples, stations: Vec::new() };
+        Ok(Self { evidence, target: Target::new(solid), balls })
+    }
+
+    /// The evidence so far.
+    pub fn evidence(&self) -> &Evidence {
+        &self.evidence
+    }
+
+    /// Gives up the evidence.
+    pub fn into_evidence(self) -> Evidence {
+        self.evidence
+    }
+
+    /// Adds evidence from another collector of the same solid.
+    pub fn merge(&mut self, other: &Evidence) -> Result<()> {
+        self.evidence.merge(other)
+    }
+
+    /// Whether a patch can say anything, by its header alone.
+    pub fn concerns(&self, header: &Header) -> bool {
+        let bounds = &self.evidence.bounds;
+        let offset = bounds.centre() - header.origin;
+        let radius = 0.5 * bounds.diagonal();
+        header.has_origin()
+            && offset.norm() - radius <= self.reach(header)
+            && header.cone.meets_ball(&offset, radius, self.margin(header))
+    }
+
+    /// Adds what a packed patch says. Patches without origin say nothing yet (see docs/method.md).
+    pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
+        if !self.concerns(&Header::read(patch)?) {
+            return Ok(());
+        }
+        let (header, beams) = Patch::beams_of(patch)?;
+        self.absorb_view(&View::new(header, &beams), interrupt)
+    }
+
+    fn absorb_view(&mut self, view: &View, interrupt: Interrupt) -> Result<()> {
+        let model = self.evidence.model;
+        match model.kind {
+            ModelKind::Surface => {
+                let crossings = self.target.crossings(view, self.reach(&view.header), interrupt)?;
+                if !crossings.any {
+                    return Ok(());
+                }
+                let encounters = surface_sums::encounters(view, &crossings, &model);
+                let min_cos = model.max_incidence.cos();
+                self.for_blocks(view, true, interrupt, |offset, normal, sums| {
+                    let cos = -offset.dot(normal) / offset.norm();
+                    if cos >= min_cos {
+                        surface_sums::gather(view, &encounters, offset, normal, sums);
+                    }
+                })
+            }
+            ModelKind::Meyer2022 => self.for_blocks(view, false, interrupt, |offset, _, sums| {
+                ray_sums::gather(view, offset, &model, sums);
+            }),
+        }
+    }
+
+    /// Calls `speak(offset from the scanner, normal towards it, sums)` for every sample the patch may concern.
+    fn for_blocks(
+        &mut self,
+        view: &View,
+        facing_only: bool,
+        interrupt: Interrupt,
+        speak: impl Fn(&Vec3, &Vec3, &mut Sums),
+    ) -> Result<()> {
+        let header = &view.header;
+        let (margin, reach) = (self.margin(header), self.reach(header));
+        let station = self.evidence.station_index(header.station, header.origin);
+        let Evidence { samples, stations, .. } = &mut self.evidence;
+        let scanner = header.origin - samples.reference;
+        for (i, block) in samples.blocks.iter().enumerate() {
+            let (centre, radius) = &self.balls[i];
+            let offset = centre - scanner;
+            let normal = &samples.normals[block.face as usize];
+            let behind = offset.dot(normal) > *radius;
+            if offset.norm() - radius > reach
+                || (facing_only && behind && !samples.two_sided)
+                || !header.cone.meets_ball(&offset, *radius, margin)
+            {
+                continue;
+            }
+            if i % 16 == 0 {
+                poll(interrupt)?;
+            }
+            let slot = &mut stations[station].blocks[i];
+            let mut sums = slot.take().unwrap_or_else(|| vec![Sums::default(); block.len as usize].into());
+            gather_block(samples, block, &scanner, normal, &speak, &mut sums);
+            *slot = sums.iter().any(|s| !s.is_empty()).then_some(sums);
+        }
+        if stations[station].blocks.iter().all(Option::is_none) {
+            stations.remove(station);
+        }
+        Ok(())
+    }
+
+    /// How far from the scanner a patch can speak, metres: behind its farthest return by the search band as a
+    /// beam at the steepest admitted incidence sees it.
+    fn reach(&self, header: &Header) -> f64 {
+        let model = &self.evidence.model;
+        let behind = model.band() / model.max_incidence.cos();
+        let returns = f64::from(header.range[1]) + behind;
+        if header.flags & Header::FLAG_NO_RETURNS != 0 { returns.max(model.no_return_range) } else { returns }
+    }
+
+    /// Angle beyond the patch's cone within which a sample still hears its beams, radians.
+    fn margin(&self, header: &Header) -> f64 {
+        (surface_sums::KERNEL_SPACINGS * f64::from(header.step)).max(0.01)
+    }
+}
+
+fn gather_block(
+    samples: &Samples,
+    block: &Block,
+    scanner: &Vec3,
+    normal: &Vec3,
+    speak: &impl Fn(&Vec3, &Vec3, &mut Sums),
+    sums: &mut [Sums],
+) {
+    for (k, sums) in sums.iter_mut().enumerate() {
+        let offset = samples.local(block.start as usize + k) - scanner;
+        let towards = if samples.two_sided && offset.dot(normal) > 0.0 { -normal } else { *normal };
+        speak(&offset, &towards, sums);
+    }
+}

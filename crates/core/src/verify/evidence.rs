@@ -1,0 +1,113 @@
+//! Evidence as a value: samples and, per station, the sums that belief is made from.
+
+use super::model::EvidenceModel;
+use super::sample::Samples;
+use super::sums::Sums;
+use crate::error::{Error, Result};
+use crate::geometry::{Aabb, Vec3};
+
+/// What one station's beams add up to, by block of samples; blocks it never saw are `None`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Station {
+    /// The station's number, as in its patches.
+    pub id: i64,
+    /// Where its beams start, world metres. With the number, what tells stations apart.
+    pub origin: Vec3,
+    pub(super) blocks: Vec<Option<Box<[Sums]>>>,
+}
+
+impl Station {
+    fn new(id: i64, origin: Vec3, blocks: usize) -> Self {
+        Self { id, origin, blocks: vec![None; blocks] }
+    }
+
+    fn is(&self, id: i64, origin: &Vec3) -> bool {
+        self.id == id && self.origin == *origin
+    }
+
+    fn add(&mut self, other: &Self) {
+        for (mine, theirs) in self.blocks.iter_mut().zip(&other.blocks) {
+            match (mine.as_mut(), theirs) {
+                (Some(m), Some(t)) => m.iter_mut().zip(t.iter()).for_each(|(a, b)| a.add(b)),
+                (None, Some(t)) => *mine = Some(t.clone()),
+                (_, None) => {}
+            }
+        }
+    }
+}
+
+/// What the stations' beams say about one solid: SQL's `ab_evidence`. Mergeable; belief is computed when asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Evidence {
+    pub(super) model: EvidenceModel,
+    /// Checksum of the solid the samples lie on.
+    pub(super) fingerprint: u32,
+    pub(super) bounds: Aabb,
+    pub(super) samples: Samples,
+    /// Ordered by number, then origin, so that equal evidence has equal bytes.
+    pub(super) stations: Vec<Station>,
+}
+
+/// What a stored evidence tells without its samples.
+#[derive(Debug, Clone, Copy)]
+pub struct EvidenceHeader {
+    /// Box of the solid.
+    pub bounds: Aabb,
+    /// Number of samples.
+    pub samples: u32,
+    /// Number of stations that saw the solid.
+    pub stations: u32,
+    /// The parameters.
+    pub model: EvidenceModel,
+}
+
+impl Evidence {
+    /// The parameters.
+    pub fn model(&self) -> &EvidenceModel {
+        &self.model
+    }
+
+    /// The samples.
+    pub fn samples(&self) -> &Samples {
+        &self.samples
+    }
+
+    /// The stations that spoke.
+    pub fn stations(&self) -> &[Station] {
+        &self.stations
+    }
+
+    /// The place of a station in [`Evidence::stations`], made if it is new.
+    pub(super) fn station_index(&mut self, id: i64, origin: Vec3) -> usize {
+        if let Some(i) = self.stations.iter().position(|s| s.is(id, &origin)) {
+            return i;
+        }
+        let key = |s: &Station| (s.id, s.origin.map(f64::to_bits));
+        let fresh = Station::new(id, origin, self.samples.blocks.len());
+        let at = self.stations.partition_point(|s| {
+            let (a, b) = (key(s), key(&fresh));
+            (a.0, a.1.x, a.1.y, a.1.z) < (b.0, b.1.x, b.1.y, b.1.z)
+        });
+        self.stations.insert(at, fresh);
+        at
+    }
+
+    /// Adds evidence about the same solid. Sums are integers: the result does not depend on order or grouping.
+    pub fn merge(&mut self, other: &Self) -> Result<()> {
+        let mismatch = |reason: &str| Err(Error::Mismatch { reason: reason.into() });
+        if self.fingerprint != other.fingerprint {
+            return mismatch("they are about different solids");
+        }
+        if self.model != other.model {
+            return mismatch(&format!("one has [{}], the other [{}]", self.model.to_text(), other.model.to_text()));
+        }
+        if self.samples != other.samples {
+            return mismatch("their samples differ");
+        }
+        for theirs in &other.stations {
+            let i = self.station_index(theirs.id, theirs.origin);
+            self.stations[i].add(theirs);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,172 @@
+//! The stored and transmitted form of evidence.
+//!
+//! Layout, little-endian, version 1: version u8, `'E'` u8, two-sided u8, 0 u8, fingerprint, faces, blocks, samples
+//! and stations u32, reference 3×f64, box 6×f64, model; then face normals 3×f64; blocks as (face varint, length
+//! u8); samples 3×f32; per station its number i64, origin 3×f64, blocks present u32, and per block its number
+//! (varint, difference) and per sample the beams (varint) and, unless 0, five signed varints.
+
+use super::evidence::{Evidence, EvidenceHeader, Station};
+use super::model::EvidenceModel;
+use super::sample::{BLOCK, Block, Samples};
+use super::sums::Sums;
+use crate::error::{Error, Result};
+use crate::geometry::{Aabb, Vec3};
+use crate::num::bytes::{Put, Reader};
+
+const TY: &str = "ab_evidence";
+
+impl Evidence {
+    /// Layout version written by this release.
+    pub const VERSION: u8 = 1;
+    /// Bytes that suffice for [`Evidence::header`].
+    pub const HEADER_LEN: usize = 24 + 72 + EvidenceModel::LEN;
+
+    /// The stored and transmitted form; equal evidence has equal bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let s = &self.samples;
+        let mut out = Vec::with_capacity(Self::HEADER_LEN + 12 * s.len() * (1 + self.stations.len()));
+        out.put(&[Self::VERSION, b'E', u8::from(s.two_sided), 0]);
+        out.put_u32(self.fingerprint);
+        for n in [s.normals.len(), s.blocks.len(), s.len(), self.stations.len()] {
+            out.put_u32(n as u32);
+        }
+        out.put_vec3(&s.reference);
+        self.bounds.min.iter().chain(&self.bounds.max).for_each(|&c| out.put_f64(c));
+        self.model.write(&mut out);
+        s.normals.iter().for_each(|n| out.put_vec3(n));
+        for b in &s.blocks {
+            out.put_varint(u64::from(b.face));
+            out.put(&[b.len as u8]);
+        }
+        s.positions.iter().flatten().for_each(|&c| out.put_f32(c));
+        self.stations.iter().for_each(|st| write_station(st, &mut out));
+        out
+    }
+
+    /// The header alone.
+    pub fn header(bytes: &[u8]) -> Result<EvidenceHeader> {
+        let (_, h) = read_header(bytes)?;
+        Ok(EvidenceHeader { bounds: h.bounds, samples: h.counts[2], stations: h.counts[3], model: h.model })
+    }
+
+    /// Reads bytes, foreign ones too: nothing is allocated beyond what they can fill, nothing read past them.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+        let (mut r, h) = read_header(bytes)?;
+        let [faces, blocks, samples, stations] = h.counts.map(|c| c as usize);
+        let least = 24 * faces as u64 + 2 * blocks as u64 + 12 * samples as u64 + 36 * stations as u64;
+        if least > r.remaining() as u64 {
+            return Err(r.bad(format!("{samples} samples and {stations} stations do not fit its length")));
+        }
+        let normals = (0..faces).map(|_| unit(&mut r)).collect::<Result<Vec<_>>>()?;
+        let blocks = read_blocks(&mut r, blocks, faces, samples)?;
+        let positions = (0..samples).map(|_| finite_position(&mut r)).collect::<Result<Vec<_>>>()?;
+        let samples = Samples { reference: h.reference, positions, normals, blocks, two_sided: h.two_sided };
+        let stations = (0..stations).map(|_| read_station(&mut r, &samples)).collect::<Result<Vec<_>>>()?;
+        r.finish()?;
+        Ok(Self { model: h.model, fingerprint: h.fingerprint, bounds: h.bounds, samples, stations })
+    }
+}
+
+struct RawHeader {
+    two_sided: bool,
+    fingerprint: u32,
+    counts: [u32; 4],
+    reference: Vec3,
+    bounds: Aabb,
+    model: EvidenceModel,
+}
+
+fn read_header(bytes: &[u8]) -> Result<(Reader<'_>, RawHeader)> {
+    let mut r = Reader::new(bytes, TY);
+    let version = r.u8()?;
+    if r.u8()? != b'E' {
+        return Err(r.bad("it does not start as evidence does"));
+    }
+    if version == 0 || version > Evidence::VERSION {
+        return Err(Error::Version { ty: TY, found: version, known: Evidence::VERSION });
+    }
+    let two_sided = r.u8()? != 0;
+    r.u8()?;
+    let fingerprint = r.u32()?;
+    let counts = [r.u32()?, r.u32()?, r.u32()?, r.u32()?];
+    let reference = r.vec3()?;
+    let bounds = Aabb { min: r.vec3()?.into(), max: r.vec3()?.into() };
+    let coordinates = reference.iter().chain(&bounds.min).chain(&bounds.max);
+    if !coordinates.into_iter().all(|c| c.is_finite()) {
+        return Err(r.bad("a coordinate is not finite"));
+    }
+    let model = EvidenceModel::read(&mut r)?;
+    Ok((r, RawHeader { two_sided, fingerprint, counts, reference, bounds, model }))
+}
+
+fn unit(r: &mut Reader) -> Result<Vec3> {
+    let n = r.vec3()?;
+    if (n.norm() - 1.0).abs() < 1e-6 { Ok(n) } else { Err(r.bad("a normal is not a unit vector")) }
+}
+
+fn finite_position(r: &mut Reader) -> Result<[f32; 3]> {
+    let p = [r.f32()?, r.f32()?, r.f32()?];
+    if p.iter().all(|c| c.is_finite()) { Ok(p) } else { Err(r.bad("a sample is not finite")) }
+}
+
+fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize) -> Result<Vec<Block>> {
+    let mut start = 0;
+    let mut out = Vec::with_capacity(count);
+    for _ in 0..count {
+        let (face, len) = (r.varint()?, u32::from(r.u8()?));
+        if face >= faces as u64 || len == 0 || len as usize > BLOCK {
+            return Err(r.bad(format!("a block of {len} samples on face {face} of {faces}")));
+        }
+        out.push(Block { start, len, face: face as u32 });
+        start += len;
+    }
+    if start as usize == samples { Ok(out) } else { Err(r.bad("its blocks do not hold its samples")) }
+}
+
+fn write_station(station: &Station, out: &mut Vec<u8>) {
+    out.put_i64(station.id);
+    out.put_vec3(&station.origin);
+    out.put_u32(station.blocks.iter().flatten().count() as u32);
+    let mut next = 0;
+    for (i, sums) in station.blocks.iter().enumerate() {
+        let Some(sums) = sums else { continue };
+        out.put_varint((i - next) as u64);
+        next = i + 1;
+        for s in sums.iter() {
+            out.put_varint(u64::from(s.beams));
+            if s.beams > 0 {
+                s.parts.iter().for_each(|&p| out.put_varint_signed(p));
+            }
+        }
+    }
+}
+
+fn read_station(r: &mut Reader, samples: &Samples) -> Result<Station> {
+    let id = r.i64()?;
+    let origin = r.vec3()?;
+    if !origin.iter().all(|c| c.is_finite()) {
+        return Err(r.bad("a station's origin is not finite"));
+    }
+    let mut station = Station { id, origin, blocks: vec![None; samples.blocks.len()] };
+    let present = r.u32()?;
+    let mut next = 0u64;
+    for _ in 0..present {
+        let i = next.saturating_add(r.varint()?);
+        let block = samples.blocks.get(i as usize).ok_or_else(|| r.bad(format!("sums for block {i}")))?;
+        let sums = (0..block.len).map(|_| read_sums(r)).collect::<Result<Box<[Sums]>>>()?;
+        station.blocks[i as usize] = Some(sums);
+        next = i + 1;
+    }
+    Ok(station)
+}
+
+fn read_sums(r: &mut Reader) -> Result<Sums> {
+    let beams = u32::try_from(r.varint()?).map_err(|_| r.bad("too many beams"))?;
+    let mut parts = [0; 5];
+    if beams > 0 {
+        for p in &mut parts {
+            *p = r.varint_signed()?;
+        }
+    }
+    Ok(Sums { beams, parts })
+}

@@ -1,0 +1,30 @@
+//! What the beams of many stations say about a solid, and the verdict that follows.
+//!
+//! [`EvidenceModel`] holds the parameters. [`Samples`] are spread over the solid's faces. A [`Collector`] takes
+//! scan patches one by one: it finds where each beam would cross the solid, and adds what that beam saw there to
+//! the sums of the samples around ([`Sums`]). The result is [`Evidence`], a value that can be stored, added up
+//! and asked: per sample for its belief, per object for a [`Summary`].
+
+mod belief;
+mod collect;
+mod crossing;
+mod evidence;
+mod evidence_bytes;
+mod face;
+mod model;
+mod ray_sums;
+mod sample;
+mod shift;
+mod summary;
+mod sums;
+mod surface_sums;
+
+pub use belief::SampleBelief;
+pub use collect::Collector;
+pub use evidence::{Evidence, EvidenceHeader, Station};
+pub use face::FaceReport;
+pub use model::{EvidenceModel, ModelKind};
+pub use sample::Samples;
+pub use shift::Shift;
+pub use summary::{Summary, Verdict, VerdictRule};
+pub use sums::Sums;

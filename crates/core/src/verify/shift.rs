@@ -1,0 +1,147 @@
+//! The object's rigid offset, from the offsets of its faces.
+
+use nalgebra::{Matrix3, SymmetricEigen};
+
+use super::face::FaceReport;
+use crate::geometry::Vec3;
+
+/// A face needs this many samples with a surface to have a say.
+const MIN_SAMPLES: u64 = 10;
+/// A direction is determined when faces with at least this share of the seen surface look along it …
+const MIN_SHARE: f64 = 0.05;
+/// Huber's constant for 95 % efficiency at the normal distribution.
+const HUBER: f64 = 1.345;
+
+/// Translation of the built object against the drawn one, along the directions that its seen faces determine.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shift {
+    /// Metres, world axes; zero along the undetermined directions.
+    pub vector: Vec3,
+    /// Covariance, m²; meaningless along the undetermined directions.
+    pub covariance: Matrix3<f64>,
+    /// Unit vectors along which the seen faces say nothing.
+    pub undetermined: Vec<Vec3>,
+}
+
+impl Shift {
+    /// Robust least squares of the faces' median offsets d on their normals n, d = n·t, one vote a face.
+    /// `None` when no direction is determined.
+    pub fn fit(faces: &[FaceReport]) -> Option<Self> {
+        let votes: Vec<Vote> = faces.iter().filter_map(Vote::of).collect();
+        let total: f64 = votes.iter().map(|v| v.samples).sum();
+        let looks = votes.iter().map(|v| v.normal * v.normal.transpose() * (v.samples / total)).sum::<Matrix3<f64>>();
+        let eigen = SymmetricEigen::new(looks);
+        let (known, undetermined): (Vec<usize>, Vec<usize>) = (0..3).partition(|&k| eigen.eigenvalues[k] >= MIN_SHARE);
+        if votes.is_empty() || known.is_empty() {
+            return None;
+        }
+        let column = |k: &usize| eigen.eigenvectors.column(*k).into_owned();
+        let projector: Matrix3<f64> = known.iter().map(column).map(|v| v * v.transpose()).sum();
+        let (vector, covariance) = solve(&votes, &projector)?;
+        Some(Self { vector, covariance, undetermined: undetermined.iter().map(column).collect() })
+    }
+
+    /// Whether a world axis lies mostly within the determined directions.
+    pub fn determines(&self, axis: usize) -> bool {
+        self.undetermined.iter().map(|u| u[axis] * u[axis]).sum::<f64>() < 0.75
+    }
+
+    /// Text `(+0.0121, -, +0.0003) ± (0.0004, -, 0.0005)`, metres; `-` for an undetermined axis.
+    pub fn to_text(&self) -> String {
+        let list = |f: &dyn Fn(usize) -> String| {
+            [0, 1, 2].map(|i| if self.determines(i) { f(i) } else { "-".into() }).join(", ")
+        };
+        let values = list(&|i| format!("{:+.4}", self.vector[i]));
+        let sds = list(&|i| format!("{:.4}", self.covariance[(i, i)].max(0.0).sqrt()));
+        format!("({values}) ± ({sds})")
+    }
+}
+
+struct Vote {
+    normal: Vec3,
+    offset: f64,
+    sd: f64,
+    samples: f64,
+}
+
+impl Vote {
+    fn of(face: &FaceReport) -> Option<Self> {
+        let (offset, sd) = face.deviation?;
+        (face.surface >= MIN_SAMPLES).then(|| Self {
+            normal: face.normal,
+            offset,
+            sd: sd.max(1e-5),
+            samples: face.surface as f64,
+        })
+    }
+}
+
+/// Iteratively re-weighted least squares within the subspace of `projector`.
+fn solve(votes: &[Vote], projector: &Matrix3<f64>) -> Option<(Vec3, Matrix3<f64>)> {
+    let mut t = Vec3::zeros();
+    let mut inverse = Matrix3::zeros();
+    for _ in 0..20 {
+        let mut normal_matrix = Matrix3::zeros();
+        let mut right = Vec3::zeros();
+        for v in votes {
+            let n = projector * v.normal;
+            let residual = (v.offset - n.dot(&t)).abs() / v.sd;
+            let huber = if residual <= HUBER { 1.0 } else { HUBER / residual };
+            let w = huber / (v.sd * v.sd);
+            normal_matrix += n * n.transpose() * w;
+            right += n * (v.offset * w);
+        }
+        inverse = normal_matrix.pseudo_inverse(1e-9 * normal_matrix.norm()).ok()?;
+        let next = inverse * right;
+        let step = (next - t).norm();
+        t = next;
+        if step < 1e-7 {
+            break;
+        }
+    }
+    t.iter().all(|c| c.is_finite()).then_some((t, inverse))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn face(normal: Vec3, deviation: f64, surface: u64) -> FaceReport {
+        FaceReport {
+            normal,
+            samples: surface,
+            seen: surface,
+            confirmed: 0,
+            refuted: 0,
+            pierced: 0,
+            surface,
+            displaced: false,
+            deviation: Some((deviation, 0.0005)),
+            conflict: 0.0,
+        }
+    }
+
+    #[test]
+    fn a_wall_seen_from_both_sides_determines_its_normal_only() {
+        let jamb = face(Vec3::y(), 0.02, 20);
+        let faces = [face(Vec3::x(), 0.012, 1000), face(-Vec3::x(), -0.012, 900), jamb];
+        let s = Shift::fit(&faces).unwrap();
+        assert!((s.vector - Vec3::new(0.012, 0.0, 0.0)).norm() < 1e-9, "{}", s.vector);
+        assert_eq!(s.to_text(), "(+0.0120, -, -) ± (0.0004, -, -)");
+    }
+
+    #[test]
+    fn one_wild_face_does_not_pull_a_column() {
+        let truth = Vec3::new(0.03, -0.01, 0.0);
+        let mut faces: Vec<FaceReport> = (0..16)
+            .map(|i| f64::from(i) * 0.3927)
+            .map(|a| Vec3::new(a.cos(), a.sin(), 0.0))
+            .map(|n| face(n, n.dot(&truth), 100))
+            .collect();
+        faces[3].deviation = Some((0.09, 0.0005));
+        let s = Shift::fit(&faces).unwrap();
+        assert!((s.vector - truth).norm() < 5e-4, "{}", s.vector);
+        assert!(s.determines(0) && s.determines(1) && !s.determines(2));
+        assert!(Shift::fit(&[]).is_none());
+    }
+}

@@ -1,0 +1,215 @@
+//! The verdict on an object.
+
+use super::evidence::Evidence;
+use super::face::FaceReport;
+use super::model::{EvidenceModel, ModelKind};
+use super::shift::Shift;
+use crate::evidence::Loa;
+use crate::{Interrupt, Result};
+
+/// What can be said of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// Built, within the tolerance.
+    Confirmed,
+    /// Built, but not where it was drawn.
+    Deviating,
+    /// Its space was seen empty.
+    Absent,
+    /// Too little of it was seen to say.
+    Unobserved,
+    /// Stations contradict each other.
+    Conflicting,
+}
+
+impl Verdict {
+    /// SQL text.
+    pub fn name(self) -> &'static str {
+        ["confirmed", "deviating", "absent", "unobserved", "conflicting"][self as usize]
+    }
+}
+
+/// Thresholds of the verdict, all shares of samples.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct VerdictRule {
+    /// Least share of all samples that must be seen.
+    pub min_coverage: f64,
+    /// Least share of the decided samples (confirmed or refuted) that must be confirmed.
+    pub min_confirmed: f64,
+    /// Mean conflict between stations from which nothing else is said.
+    pub max_conflict: f64,
+}
+
+impl Default for VerdictRule {
+    fn default() -> Self {
+        Self { min_coverage: 0.02, min_confirmed: 0.6, max_conflict: 0.3 }
+    }
+}
+
+/// Least number of seen samples for a verdict.
+const MIN_SEEN: u64 = 5;
+/// Least share of the seen samples that must be decided; below it everything is open.
+const MIN_DECIDED: f64 = 0.2;
+/// A face counts as well seen with this share of the object's samples that have a surface.
+const WELL_SEEN_SHARE: f64 = 0.03;
+const WELL_SEEN_SAMPLES: u64 = 10;
+
+/// Verdict with the numbers that led to it: SQL's `ab_summary`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// The verdict at the asked level of accuracy.
+    pub verdict: Verdict,
+    /// The finest level of accuracy at which the object would be confirmed.
+    pub best_loa: Option<Loa>,
+    /// All samples.
+    pub samples: u64,
+    /// Share of all samples that were seen.
+    pub coverage: f64,
+    /// Shares of the seen samples; `None` when none was seen. They add up to 1.
+    pub shares: Option<Shares>,
+    /// Median deviation of the worst well-seen face along its outward normal, metres, and its σ.
+    pub deviation: Option<(f64, f64)>,
+    /// Rigid offset.
+    pub shift: Option<Shift>,
+    /// The faces, as judged at the asked level.
+    pub faces: Vec<FaceReport>,
+}
+
+/// How the seen samples divide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shares {
+    /// Belief in "built here" reaches the confidence.
+    pub confirmed: f64,
+    /// Belief in "not built here" reaches it.
+    pub refuted: f64,
+    /// Neither.
+    pub open: f64,
+    /// Mean conflict between stations.
+    pub conflict: f64,
+}
+
+struct Totals {
+    samples: u64,
+    seen: u64,
+    confirmed: u64,
+    refuted: u64,
+    pierced: u64,
+    surface: u64,
+    conflict: f64,
+}
+
+impl Totals {
+    fn of(faces: &[FaceReport]) -> Self {
+        let sum = |f: fn(&FaceReport) -> u64| faces.iter().map(f).sum();
+        Self {
+            samples: sum(|f| f.samples),
+            seen: sum(|f| f.seen),
+            confirmed: sum(|f| f.confirmed),
+            refuted: sum(|f| f.refuted),
+            pierced: sum(|f| f.pierced),
+            surface: sum(|f| f.surface),
+            conflict: faces.iter().map(|f| f.conflict).sum(),
+        }
+    }
+}
+
+impl Evidence {
+    /// The verdict at the level of accuracy and confidence of `model`.
+    pub fn verdict(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Verdict> {
+        let faces = self.face_reports(&self.question(model), interrupt)?;
+        Ok(decide(&faces, &Totals::of(&faces), model, rule))
+    }
+
+    /// Verdict, shares, deviation, rigid offset and best level of accuracy.
+    pub fn summary(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Summary> {
+        let model = self.question(model);
+        let faces = self.face_reports(&model, interrupt)?;
+        let totals = Totals::of(&faces);
+        let verdict = decide(&faces, &totals, &model, rule);
+        let best_loa = self.best_loa(&model, verdict, rule, interrupt)?;
+        let seen = totals.seen as f64;
+        let shares = (totals.seen > 0).then(|| Shares {
+            confirmed: totals.confirmed as f64 / seen,
+            refuted: totals.refuted as f64 / seen,
+            open: (totals.seen - totals.confirmed - totals.refuted) as f64 / seen,
+            conflict: totals.conflict / seen,
+        });
+        let deviation = worst_face(&faces, &totals).and_then(|f| f.deviation);
+        Ok(Summary {
+            verdict,
+            best_loa,
+            samples: totals.samples,
+            coverage: if totals.samples > 0 { seen / totals.samples as f64 } else { 0.0 },
+            shares,
+            deviation,
+            shift: Shift::fit(&faces),
+            faces,
+        })
+    }
+
+    /// Level of accuracy and confidence may be asked anew; how the sums were made may not.
+    fn question(&self, asked: &EvidenceModel) -> EvidenceModel {
+        EvidenceModel { confidence: asked.confidence, loa: asked.loa, ..self.model }
+    }
+
+    fn best_loa(
+        &self,
+        model: &EvidenceModel,
+        verdict: Verdict,
+        rule: &VerdictRule,
+        interrupt: Interrupt,
+    ) -> Result<Option<Loa>> {
+        if verdict == Verdict::Unobserved || (model.kind == ModelKind::Meyer2022 && verdict != Verdict::Confirmed) {
+            return Ok(None);
+        }
+        if model.kind == ModelKind::Meyer2022 {
+            return Ok(Some(model.loa)); // its masses do not know the tolerance
+        }
+        for loa in Loa::ALL.into_iter().rev() {
+            let confirmed = match loa == model.loa {
+                true => verdict == Verdict::Confirmed,
+                false => self.verdict(&EvidenceModel { loa, ..*model }, rule, interrupt)? == Verdict::Confirmed,
+            };
+            if confirmed {
+                return Ok(Some(loa));
+            }
+        }
+        Ok(None)
+    }
+}
+
+fn decide(faces: &[FaceReport], totals: &Totals, model: &EvidenceModel, rule: &VerdictRule) -> Verdict {
+    let decided = totals.confirmed + totals.refuted;
+    let seen = totals.seen as f64;
+    if totals.seen < MIN_SEEN.min(totals.samples)
+        || seen < rule.min_coverage * totals.samples as f64
+        || (decided as f64) < MIN_DECIDED * seen
+        || decided == 0
+    {
+        return Verdict::Unobserved;
+    }
+    // The ray model's conflict counts every beam against every other and says nothing of stations.
+    if model.kind == ModelKind::Surface && totals.conflict > rule.max_conflict * seen {
+        return Verdict::Conflicting;
+    }
+    let decided = decided as f64;
+    if totals.pierced as f64 > 0.5 * decided {
+        return Verdict::Absent;
+    }
+    let displaced = faces.iter().any(|f| well_seen(f, totals) && f.displaced);
+    if displaced || (totals.confirmed as f64) < rule.min_confirmed * decided {
+        return Verdict::Deviating;
+    }
+    Verdict::Confirmed
+}
+
+fn well_seen(face: &FaceReport, totals: &Totals) -> bool {
+    face.surface >= WELL_SEEN_SAMPLES.min(totals.surface)
+        && face.surface as f64 >= WELL_SEEN_SHARE * totals.surface as f64
+}
+
+/// The well-seen face that is farthest off; the object is no better than it.
+fn worst_face<'a>(faces: &'a [FaceReport], totals: &Totals) -> Option<&'a FaceReport> {
+    let off = |f: &FaceReport| f.deviation.map_or(0.0, |d| d.0.abs());
+    faces.iter().filter(|f| f.deviation.is_some() && well_seen(f, totals)).max_by(|a, b| off(a).total_cmp(&off(b)))
+}
