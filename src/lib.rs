@@ -1,0 +1,27 @@
+//! asbuilt: is the building what the model says?
+//!
+//! A thin SQL surface over `asbuilt-core`:
+//!
+//! * [`types`]: one SQL type a file, its input and output, constructors and accessors;
+//! * [`aggregates`]: transition, combine, serialise, final;
+//! * [`gist`]: index support; the algorithms on boxes are core's;
+//! * [`error`]: the one map from core's errors to SQLSTATE and hint;
+//! * [`pg`]: the only place that touches PostgreSQL's memory.
+//!
+//! The SQL objects themselves are declared by hand in `sql/install`, in the order below.
+
+mod aggregates;
+mod error;
+mod gist;
+mod pg;
+mod types;
+
+pgrx::pg_module_magic!(name, version);
+
+pgrx::extension_sql_file!("../sql/install/01-types.sql", name = "types", bootstrap);
+pgrx::extension_sql_file!("../sql/install/02-geometry.sql", name = "geometry", requires = ["types"]);
+pgrx::extension_sql_file!("../sql/install/03-scan.sql", name = "scan", requires = ["geometry"]);
+pgrx::extension_sql_file!("../sql/install/04-belief.sql", name = "belief", requires = ["scan"]);
+pgrx::extension_sql_file!("../sql/install/05-evidence.sql", name = "evidence", requires = ["belief"]);
+pgrx::extension_sql_file!("../sql/install/06-operators.sql", name = "operators", requires = ["evidence"]);
+pgrx::extension_sql_file!("../sql/install/07-gist.sql", name = "gist", requires = ["operators"], finalize);

@@ -5,6 +5,7 @@ mod closedness;
 mod face;
 mod orient;
 mod solid;
+pub mod split;
 mod weld;
 
 pub use aabb::Aabb;

@@ -15,5 +15,5 @@ mod view;
 pub use cone::Cone;
 pub use header::{Header, JOIN_MARGIN_M};
 pub use patch::{Beam, Patch};
-pub use tile::{MAX_BEAMS, tiles};
+pub use tile::{MAX_BEAMS, mean_step, tiles};
 pub use view::View;

@@ -1,6 +1,8 @@
 //! Cutting a scan into angular tiles.
 
-use super::Beam;
+use std::collections::HashSet;
+
+use super::{Beam, Cone};
 use crate::geometry::Vec3;
 
 /// Most beams of a tile.
@@ -25,6 +27,26 @@ pub fn tiles(beams: &[Beam]) -> Vec<Vec<u32>> {
         split(face, &mut out);
     }
     out
+}
+
+/// Angle between neighbouring beams, radians, when the scanner does not tell: the square root of the solid angle
+/// that the tile covers a beam. The covered part is counted in cells that hold about four beams each, so that
+/// holes do not widen it.
+pub fn mean_step(beams: &[Beam]) -> f64 {
+    let directions: Vec<Vec3> = beams.iter().filter_map(|b| b.offset.try_normalize(1e-12)).collect();
+    let cone = Cone::around(&directions);
+    let basis = cone.basis();
+    let image: Vec<[f64; 2]> = directions.iter().map(|d| basis.map(|b| d.dot(&b) / d.dot(&cone.axis).max(0.1))).collect();
+    let side = |k: usize| {
+        let (lo, hi) = image.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p[k]), h.max(p[k])));
+        (lo, (hi - lo).max(1e-6))
+    };
+    let sides = [side(0), side(1)];
+    let cells = ((image.len() as f64 / 4.0).sqrt().floor()).max(1.0);
+    let occupied: HashSet<[u64; 2]> =
+        image.iter().map(|p| [0, 1].map(|k| ((p[k] - sides[k].0) / sides[k].1 * cells).min(cells - 0.5) as u64)).collect();
+    let area = sides[0].1 * sides[1].1 * occupied.len() as f64 / (cells * cells);
+    (area / image.len().max(1) as f64).sqrt().max(1e-6)
 }
 
 struct Place {
@@ -72,7 +94,6 @@ fn split(places: &mut [Place], out: &mut Vec<Vec<u32>>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scan::Cone;
 
     #[test]
     fn a_full_sphere_is_cut_into_narrow_full_tiles() {
@@ -93,6 +114,22 @@ mod tests {
         }
         assert!(seen.iter().all(|&n| n == 1));
         assert!(tiles.len() * MAX_BEAMS < beams.len() * 5 / 4, "{} tiles", tiles.len());
+    }
+
+    #[test]
+    fn step_is_found_from_the_beams() {
+        let grid = |step: f64, holes: bool| -> Vec<Beam> {
+            (0..64 * 64)
+                .filter(|i| !holes || i % 64 < 32)
+                .map(|i| Vec3::new(1.0, f64::from(i % 64) * step, f64::from(i / 64) * step))
+                .map(|offset| Beam { offset, returned: true })
+                .collect()
+        };
+        for (step, holes) in [(1e-3, false), (5e-3, false), (2e-3, true)] {
+            let got = mean_step(&grid(step, holes));
+            assert!((got / step - 1.0).abs() < 0.1, "{got} for {step}");
+        }
+        assert!(mean_step(&[]) > 0.0);
     }
 
     #[test]

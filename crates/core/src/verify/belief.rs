@@ -8,6 +8,7 @@ use super::surface_sums::SurfaceReading;
 use crate::evidence::{LogCommonality, Mass};
 use crate::geometry::Vec3;
 use crate::num::normal::cdf;
+use crate::{Interrupt, Result, poll};
 
 /// How much of the reliability a surface in front of the face keeps: it may be furniture.
 const IN_FRONT_RELIABILITY: f64 = 0.9;
@@ -50,6 +51,23 @@ struct Accumulator {
 }
 
 impl Evidence {
+    /// Calls `visit(position, normal, belief)` for every sample, with the tolerance of `model`.
+    pub fn for_each_sample(
+        &self,
+        model: &EvidenceModel,
+        interrupt: Interrupt,
+        mut visit: impl FnMut(&Vec3, &Vec3, &SampleBelief),
+    ) -> Result<()> {
+        for (b, block) in self.samples.blocks.iter().enumerate() {
+            poll(interrupt)?;
+            let normal = &self.samples.normals[block.face as usize];
+            for i in 0..block.len as usize {
+                visit(&self.samples.position(block.start as usize + i), normal, &self.belief(b, i, model));
+            }
+        }
+        Ok(())
+    }
+
     /// Belief at sample `i` of block `b`, with the tolerance of `model` (which may ask for another level of
     /// accuracy than the evidence was made for).
     pub(super) fn belief(&self, b: usize, i: usize, model: &EvidenceModel) -> SampleBelief {

@@ -72,6 +72,11 @@ impl Evidence {
         &self.samples
     }
 
+    /// Checksum of the solid that the samples lie on.
+    pub fn fingerprint(&self) -> u32 {
+        self.fingerprint
+    }
+
     /// The stations that spoke.
     pub fn stations(&self) -> &[Station] {
         &self.stations

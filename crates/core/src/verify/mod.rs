@@ -26,5 +26,5 @@ pub use face::FaceReport;
 pub use model::{EvidenceModel, ModelKind};
 pub use sample::Samples;
 pub use shift::Shift;
-pub use summary::{Summary, Verdict, VerdictRule};
+pub use summary::{Shares, Summary, Verdict, VerdictRule};
 pub use sums::Sums;

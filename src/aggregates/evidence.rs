@@ -1,0 +1,129 @@
+//! `ab_evidence_agg(solid, patch, model)` and `ab_rollup_agg(evidence)`.
+
+use asbuilt_core::geometry::Solid;
+use asbuilt_core::scan::Header;
+use asbuilt_core::verify::{Collector, Evidence, EvidenceModel};
+use asbuilt_core::{Error, Result};
+
+use crate::pg::{AggState, Args, Ret, aggregate_state, deserialised_state, interrupt, sql_functions};
+use crate::types::model_arg;
+
+/// Evidence about one solid, gathered by one worker.
+#[derive(Default)]
+enum State {
+    /// No row with a solid yet.
+    #[default]
+    Empty,
+    /// This worker takes patches.
+    Collecting(Box<Collecting>),
+    /// Only merges what others collected.
+    Merged(Evidence),
+}
+
+struct Collecting {
+    collector: Collector,
+    /// The arguments as they lay in the first row; the same bytes mean the same value.
+    raw_solid: Vec<u8>,
+    model: EvidenceModel,
+}
+
+impl State {
+    fn evidence(&self) -> Option<&Evidence> {
+        match self {
+            Self::Empty => None,
+            Self::Collecting(c) => Some(c.collector.evidence()),
+            Self::Merged(e) => Some(e),
+        }
+    }
+
+    fn merge(&mut self, other: &Evidence) -> Result<()> {
+        match self {
+            Self::Empty => *self = Self::Merged(other.clone()),
+            Self::Collecting(c) => c.collector.merge(other)?,
+            Self::Merged(e) => e.merge(other)?,
+        }
+        Ok(())
+    }
+
+    /// The collector for the row's solid and model, made at the first row.
+    fn collecting(&mut self, args: &Args) -> Result<&mut Collector> {
+        let model = model_arg(args, 3)?;
+        if matches!(self, Self::Empty) {
+            let solid = Solid::from_bytes(args.bytes(1))?;
+            let collector = Collector::new(&solid, model, &interrupt)?;
+            *self = Self::Collecting(Box::new(Collecting { collector, raw_solid: args.raw(1).to_vec(), model }));
+        }
+        match self {
+            Self::Collecting(c) if c.raw_solid != args.raw(1) && !same_solid(&c.collector, args)? => {
+                Err(Error::Mismatch { reason: "the group holds more than one solid".into() })
+            }
+            Self::Collecting(c) if c.model != model => {
+                Err(Error::Mismatch { reason: "the group holds more than one evidence model".into() })
+            }
+            Self::Collecting(c) => Ok(&mut c.collector),
+            _ => Err(Error::Mismatch { reason: "patches after a merge".into() }),
+        }
+    }
+}
+
+/// Unequal bytes may still be the same solid, stored differently.
+fn same_solid(collector: &Collector, args: &Args) -> Result<bool> {
+    Ok(collector.evidence().fingerprint() == Solid::from_bytes(args.bytes(1))?.fingerprint())
+}
+
+fn state(args: &Args, i: usize) -> Result<AggState<State>> {
+    aggregate_state(args, i, || Ok(State::default()))
+}
+
+sql_functions! {
+    /// transition(state, solid, patch, model): a NULL patch adds nothing, but the object is there.
+    fn ab_evidence_accum(args) {
+        let mut state = state(args, 0)?;
+        if !args.is_null(1) {
+            let collector = state.get().collecting(args)?;
+            if !args.is_null(2) && collector.concerns(&Header::read(args.prefix(2, Header::LEN))?) {
+                collector.absorb(args.bytes(2), &interrupt)?;
+            }
+        }
+        Ok(state.ret())
+    }
+
+    fn ab_evidence_combine(args) {
+        let mut left = state(args, 0)?;
+        if !args.is_null(1) {
+            if let Some(right) = state(args, 1)?.get().evidence() {
+                left.get().merge(right)?;
+            }
+        }
+        Ok(left.ret())
+    }
+
+    fn ab_evidence_serial(args) {
+        let mut state = state(args, 0)?;
+        Ok(Ret::Bytes(state.get().evidence().map(Evidence::to_bytes).unwrap_or_default()))
+    }
+
+    fn ab_evidence_deserial(args) {
+        let state = match args.bytes(0) {
+            [] => State::Empty,
+            bytes => State::Merged(Evidence::from_bytes(bytes)?),
+        };
+        Ok(deserialised_state(state).ret())
+    }
+
+    fn ab_evidence_final(args) {
+        if args.is_null(0) {
+            return Ok(Ret::Null);
+        }
+        Ok(state(args, 0)?.get().evidence().map_or(Ret::Null, |e| Ret::Bytes(e.to_bytes())))
+    }
+
+    /// transition(state, evidence) of ab_rollup_agg.
+    fn ab_rollup_accum(args) {
+        let mut state = state(args, 0)?;
+        if !args.is_null(1) {
+            state.get().merge(&Evidence::from_bytes(args.bytes(1))?)?;
+        }
+        Ok(state.ret())
+    }
+}

@@ -1,0 +1,3 @@
+//! Aggregates: transition, combine, serialise, final.
+
+mod evidence;

@@ -1,0 +1,76 @@
+//! GiST support for everything that has a box. Keys are `ab_box`; `&&` is answered by the key alone.
+
+use asbuilt_core::geometry::split::{penalty, split};
+use asbuilt_core::geometry::{Aabb, Solid};
+use asbuilt_core::scan::Header;
+
+use crate::pg::{Args, KeyVector, PickSplit, Ret, sql_functions};
+use crate::types::{BOX_LEN, box_bytes, box_from};
+
+/// Strategy numbers: `&&` with each right-hand type, the same in every opclass.
+const OVERLAPS_BOX: i16 = 1;
+const OVERLAPS_SOLID: i16 = 2;
+const OVERLAPS_SCAN: i16 = 3;
+
+fn key(args: &Args, i: usize) -> Aabb {
+    box_from(&args.entry_key::<BOX_LEN>(i))
+}
+
+fn query(args: &Args, strategy: i16) -> asbuilt_core::Result<Aabb> {
+    match strategy {
+        OVERLAPS_BOX => Ok(box_from(&args.fixed(1))),
+        OVERLAPS_SOLID => Ok(Solid::header(args.prefix(1, Solid::HEADER_LEN))?.bounds),
+        OVERLAPS_SCAN => Ok(Header::read(args.prefix(1, Header::LEN))?.hull),
+        other => Err(asbuilt_core::Error::argument("the GiST strategy", "1, 2 or 3", other)),
+    }
+}
+
+sql_functions! {
+    /// consistent(entry, query, strategy, subtype, recheck)
+    fn ab_gist_consistent(args) {
+        args.set_flag(4, false);
+        Ok(Ret::Bool(key(args, 0).overlaps(&query(args, args.i16(2))?)))
+    }
+
+    /// union(vector, size)
+    fn ab_gist_union(args) {
+        let keys = KeyVector::arg(args, 0);
+        let union = (0..keys.len()).fold(Aabb::EMPTY, |u, i| u.union(&box_from(&keys.key(i))));
+        args.set_size(1, BOX_LEN);
+        Ok(Ret::Fixed(box_bytes(&union)))
+    }
+
+    fn ab_gist_scan_compress(args) {
+        args.compressed(Header::LEN, |bytes| Ok(box_bytes(&Header::read(bytes)?.hull)))
+    }
+
+    fn ab_gist_solid_compress(args) {
+        args.compressed(Solid::HEADER_LEN, |bytes| Ok(box_bytes(&Solid::header(bytes)?.bounds)))
+    }
+
+    /// penalty(key entry, new entry, result)
+    fn ab_gist_penalty(args) {
+        args.set_f32(2, penalty(&key(args, 0), &key(args, 1)));
+        Ok(Ret::Raw(args.pointer(2)))
+    }
+
+    /// picksplit(vector, result); entries count from 1.
+    fn ab_gist_picksplit(args) {
+        let keys = KeyVector::arg(args, 0);
+        let boxes: Vec<Aabb> = (1..keys.len()).map(|i| box_from(&keys.key(i))).collect();
+        let (left, right) = split(&boxes);
+        let side = |group: &[usize]| {
+            let union = group.iter().fold(Aabb::EMPTY, |u, &i| u.union(&boxes[i]));
+            (group.iter().map(|&i| i as u16 + 1).collect::<Vec<u16>>(), box_bytes(&union))
+        };
+        let (l, r) = (side(&left), side(&right));
+        PickSplit::arg(args, 1).set((&l.0, &l.1), (&r.0, &r.1));
+        Ok(Ret::Raw(args.pointer(1)))
+    }
+
+    /// same(key, key, result)
+    fn ab_gist_same(args) {
+        args.set_flag(2, args.fixed::<BOX_LEN>(0) == args.fixed::<BOX_LEN>(1));
+        Ok(Ret::Raw(args.pointer(2)))
+    }
+}

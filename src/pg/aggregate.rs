@@ -1,0 +1,44 @@
+//! Internal aggregate states.
+
+use asbuilt_core::{Error, Result};
+use pgrx::{PgMemoryContexts, pg_sys};
+
+use super::{Args, Ret};
+
+/// A state that lives in the aggregate's memory context and is dropped with it.
+#[derive(Debug)]
+pub struct AggState<T> {
+    pointer: *mut T,
+}
+
+impl<T> AggState<T> {
+    /// The state.
+    pub fn get(&mut self) -> &mut T {
+        unsafe { &mut *self.pointer }
+    }
+
+    /// Hands the state back to the executor.
+    pub fn ret(&self) -> Ret {
+        Ret::Raw(self.pointer.into())
+    }
+}
+
+/// The state in argument `i`, or a new one from `fresh` when it is NULL.
+pub fn aggregate_state<T>(args: &Args, i: usize, fresh: impl FnOnce() -> Result<T>) -> Result<AggState<T>> {
+    unsafe {
+        let mut context: pg_sys::MemoryContext = std::ptr::null_mut();
+        if pg_sys::AggCheckCallContext(args.fcinfo(), &mut context) == 0 {
+            return Err(Error::argument("an aggregate's support function", "called by its aggregate", "a plain call"));
+        }
+        if !args.is_null(i) {
+            return Ok(AggState { pointer: args.datum(i).cast_mut_ptr() });
+        }
+        let state = fresh()?;
+        Ok(AggState { pointer: PgMemoryContexts::For(context).leak_and_drop_on_delete(state) })
+    }
+}
+
+/// A state read back from its serialised form, in the current memory context.
+pub fn deserialised_state<T>(state: T) -> AggState<T> {
+    AggState { pointer: PgMemoryContexts::CurrentMemoryContext.leak_and_drop_on_delete(state) }
+}

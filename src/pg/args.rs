@@ -1,0 +1,141 @@
+//! Reading a function's arguments.
+
+use std::borrow::Cow;
+use std::ffi::CStr;
+
+use asbuilt_core::evidence::Loa;
+use asbuilt_core::{Error, Result};
+use pgrx::pg_sys;
+
+use super::array;
+
+/// The arguments of one call. Borrowed values live as long as the call.
+#[derive(Debug)]
+pub struct Args {
+    fcinfo: pg_sys::FunctionCallInfo,
+}
+
+impl Args {
+    /// # Safety
+    /// `fcinfo` must be valid for the duration of the call.
+    pub(super) unsafe fn new(fcinfo: pg_sys::FunctionCallInfo) -> Self {
+        Self { fcinfo }
+    }
+
+    pub(super) fn fcinfo(&self) -> pg_sys::FunctionCallInfo {
+        self.fcinfo
+    }
+
+    /// Number of arguments.
+    pub fn len(&self) -> usize {
+        unsafe { (*self.fcinfo).nargs as usize }
+    }
+
+    fn slot(&self, i: usize) -> pg_sys::NullableDatum {
+        assert!(i < self.len(), "argument {i} of {}", self.len());
+        unsafe { *(*self.fcinfo).args.as_ptr().add(i) }
+    }
+
+    /// Whether argument `i` is NULL.
+    pub fn is_null(&self, i: usize) -> bool {
+        self.slot(i).isnull
+    }
+
+    pub(super) fn datum(&self, i: usize) -> pg_sys::Datum {
+        self.slot(i).value
+    }
+
+    /// A `float8`.
+    pub fn f64(&self, i: usize) -> f64 {
+        f64::from_bits(self.datum(i).value() as u64)
+    }
+
+    /// A `bigint`.
+    pub fn i64(&self, i: usize) -> i64 {
+        self.datum(i).value() as i64
+    }
+
+    /// A `smallint`.
+    pub fn i16(&self, i: usize) -> i16 {
+        self.datum(i).value() as i16
+    }
+
+    /// A `cstring`, as an input function gets it.
+    pub fn cstring(&self, i: usize) -> Cow<'_, str> {
+        unsafe { CStr::from_ptr(self.datum(i).cast_mut_ptr()) }.to_string_lossy()
+    }
+
+    /// A `text`.
+    pub fn text(&self, i: usize) -> String {
+        String::from_utf8_lossy(self.bytes(i)).into_owned()
+    }
+
+    /// The value of the enum `ab_loa`.
+    pub fn loa(&self, i: usize) -> Result<Loa> {
+        let oid = pg_sys::Oid::from(self.datum(i).value() as u32);
+        Loa::parse(&pgrx::enum_helper::lookup_enum_by_oid(oid).0)
+    }
+
+    fn varlena(&self, i: usize) -> *mut pg_sys::varlena {
+        self.datum(i).cast_mut_ptr()
+    }
+
+    /// All bytes of a variable-length value, fetched and decompressed if need be.
+    pub fn bytes(&self, i: usize) -> &[u8] {
+        unsafe { pgrx::varlena::varlena_to_byte_slice(pg_sys::pg_detoast_datum_packed(self.varlena(i))) }
+    }
+
+    /// At least the first `len` bytes (or all there are), without fetching the rest where that can be avoided.
+    pub fn prefix(&self, i: usize, len: usize) -> &[u8] {
+        unsafe {
+            let v = self.varlena(i);
+            if pgrx::varlena::varatt_is_1b_e(v) || pgrx::varlena::varatt_is_4b_c(v) {
+                pgrx::varlena::varlena_to_byte_slice(pg_sys::pg_detoast_datum_slice(v, 0, len as i32))
+            } else {
+                pgrx::varlena::varlena_to_byte_slice(v)
+            }
+        }
+    }
+
+    /// The value as it lies in the row, unfetched: equal bytes mean the same value.
+    pub fn raw(&self, i: usize) -> &[u8] {
+        unsafe {
+            let v = self.varlena(i);
+            std::slice::from_raw_parts(v.cast::<u8>(), pgrx::varlena::varsize_any(v))
+        }
+    }
+
+    /// A fixed-length value passed by reference.
+    pub fn fixed<const N: usize>(&self, i: usize) -> [u8; N] {
+        unsafe { *self.datum(i).cast_mut_ptr::<[u8; N]>() }
+    }
+
+    /// What is left of the message that a receive function gets; marks it as read.
+    pub fn message(&self, i: usize) -> &[u8] {
+        unsafe {
+            let buffer: pg_sys::StringInfo = self.datum(i).cast_mut_ptr();
+            let left = (*buffer).len - (*buffer).cursor;
+            let start = pg_sys::pq_getmsgbytes(buffer, left);
+            std::slice::from_raw_parts(start.cast::<u8>(), left as usize)
+        }
+    }
+
+    /// A `float8[]` of one dimension with `N` elements.
+    pub fn vector<const N: usize>(&self, i: usize, what: &'static str) -> Result<[f64; N]> {
+        let (dims, values) = self.f64_array(i, what)?;
+        match (dims.len(), <[f64; N]>::try_from(&values[..])) {
+            (1, Ok(v)) => Ok(v),
+            _ => Err(Error::argument(what, "an array of three numbers", array::shape(&dims))),
+        }
+    }
+
+    /// A `float8[]` with its dimensions.
+    pub fn f64_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<f64>)> {
+        unsafe { array::read(self.datum(i), what) }
+    }
+
+    /// An `int4[]` with its dimensions.
+    pub fn i32_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<i32>)> {
+        unsafe { array::read(self.datum(i), what) }
+    }
+}

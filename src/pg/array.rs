@@ -1,0 +1,68 @@
+//! PostgreSQL arrays of plain numbers.
+
+use asbuilt_core::{Error, Result};
+use pgrx::pg_sys;
+
+/// `3` or `4×2`, for messages.
+pub fn shape(dims: &[i32]) -> String {
+    let words: Vec<String> = dims.iter().map(i32::to_string).collect();
+    if words.is_empty() { "an empty array".into() } else { format!("an array of {} elements", words.join("×")) }
+}
+
+/// Dimensions and elements of an array of fixed-length plain numbers, in storage order.
+///
+/// # Safety
+/// `datum` must be an array whose element type is stored as `T`.
+pub unsafe fn read<T: Copy>(datum: pg_sys::Datum, what: &'static str) -> Result<(Vec<i32>, Vec<T>)> {
+    unsafe {
+        let array = pg_sys::pg_detoast_datum(datum.cast_mut_ptr()).cast::<pg_sys::ArrayType>();
+        let ndim = (*array).ndim as usize;
+        let dims = std::slice::from_raw_parts(array.add(1).cast::<i32>(), ndim).to_vec();
+        let count = if ndim == 0 { 0 } else { dims.iter().map(|&d| d as usize).product() };
+        if (*array).dataoffset != 0 && pg_sys::array_contains_nulls(array) {
+            return Err(Error::argument(what, "without NULL elements", "an array with NULL"));
+        }
+        let header = size_of::<pg_sys::ArrayType>() + 2 * ndim * size_of::<i32>();
+        let offset = match (*array).dataoffset {
+            0 => header.next_multiple_of(8),
+            o => o as usize,
+        };
+        let data = array.cast::<u8>().add(offset).cast::<T>();
+        Ok((dims, (0..count).map(|i| data.add(i).read_unaligned()).collect()))
+    }
+}
+
+/// A new array; `dims` multiply to the number of elements.
+///
+/// # Safety
+/// `element` must be the type of elements of length `len` passed by value in `datums`.
+pub unsafe fn write(datums: &mut [pg_sys::Datum], dims: &[i32], element: pg_sys::Oid, len: i32, align: u8) -> pg_sys::Datum {
+    let mut dims = dims.to_vec();
+    let mut lower = vec![1; dims.len()];
+    unsafe {
+        pg_sys::construct_md_array(
+            datums.as_mut_ptr(),
+            std::ptr::null_mut(),
+            dims.len() as i32,
+            dims.as_mut_ptr(),
+            lower.as_mut_ptr(),
+            element,
+            len,
+            true,
+            align as std::ffi::c_char,
+        )
+        .into()
+    }
+}
+
+/// A `float8[]`.
+pub fn of_f64(values: &[f64], dims: &[i32]) -> pg_sys::Datum {
+    let mut datums: Vec<_> = values.iter().map(|v| pg_sys::Datum::from(v.to_bits() as usize)).collect();
+    unsafe { write(&mut datums, dims, pg_sys::FLOAT8OID, 8, b'd') }
+}
+
+/// An `int4[]`.
+pub fn of_i32(values: &[i32], dims: &[i32]) -> pg_sys::Datum {
+    let mut datums: Vec<_> = values.iter().map(|&v| pg_sys::Datum::from(v)).collect();
+    unsafe { write(&mut datums, dims, pg_sys::INT4OID, 4, b'i') }
+}

@@ -1,0 +1,154 @@
+//! Returning rows: one composite, or a materialised set.
+
+use asbuilt_core::evidence::Loa;
+use asbuilt_core::{Error, Result};
+use pgrx::pg_sys;
+
+use super::ret::{fixed, varlena};
+use super::{Args, array};
+
+/// One column of a returned row.
+#[derive(Debug, Clone)]
+pub enum Field {
+    /// NULL.
+    Null,
+    /// `integer`.
+    I32(i32),
+    /// `bigint`.
+    I64(i64),
+    /// `float8`.
+    F64(f64),
+    /// `text`.
+    Text(String),
+    /// The enum `ab_loa`.
+    Loa(Loa),
+    /// `float8[]` of three numbers.
+    Vector([f64; 3]),
+    /// A fixed-length type passed by reference.
+    Fixed(Vec<u8>),
+}
+
+impl Field {
+    /// NULL for `None`.
+    pub fn or_null<T>(value: Option<T>, field: impl FnOnce(T) -> Self) -> Self {
+        value.map_or(Self::Null, field)
+    }
+
+    fn datum(&self, column_type: pg_sys::Oid) -> Option<pg_sys::Datum> {
+        Some(match self {
+            Self::Null => return None,
+            Self::I32(v) => pg_sys::Datum::from(*v),
+            Self::I64(v) => pg_sys::Datum::from(*v),
+            Self::F64(v) => pg_sys::Datum::from(v.to_bits() as usize),
+            Self::Text(s) => varlena(s.as_bytes()),
+            Self::Loa(l) => pg_sys::Datum::from(enum_value(column_type, l.name())),
+            Self::Vector(v) => array::of_f64(v, &[3]),
+            Self::Fixed(b) => fixed(b),
+        })
+    }
+}
+
+/// The oid of an enum's value, found by the type's oid so that the search path does not matter.
+fn enum_value(enum_type: pg_sys::Oid, label: &str) -> pg_sys::Oid {
+    let label = std::ffi::CString::new(label).unwrap_or_default();
+    unsafe {
+        let tuple = pg_sys::SearchSysCache2(
+            pg_sys::SysCacheIdentifier::ENUMTYPOIDNAME as i32,
+            enum_type.into(),
+            label.as_ptr().into(),
+        );
+        assert!(!tuple.is_null(), "ab_loa has lost its value {label:?}");
+        let oid = (*pg_sys::GETSTRUCT(tuple).cast::<pg_sys::FormData_pg_enum>()).oid;
+        pg_sys::ReleaseSysCache(tuple);
+        oid
+    }
+}
+
+/// The row type that the call expects.
+unsafe fn expected_row(fcinfo: pg_sys::FunctionCallInfo) -> pg_sys::TupleDesc {
+    unsafe {
+        let mut desc: pg_sys::TupleDesc = std::ptr::null_mut();
+        let class = pg_sys::get_call_result_type(fcinfo, std::ptr::null_mut(), &mut desc);
+        assert!(class == pg_sys::TypeFuncClass::TYPEFUNC_COMPOSITE, "the function returns no row type");
+        desc
+    }
+}
+
+unsafe fn values(desc: pg_sys::TupleDesc, fields: &[Field]) -> (Vec<pg_sys::Datum>, Vec<bool>) {
+    let natts = unsafe { (*desc).natts } as usize;
+    assert!(natts == fields.len(), "{natts} columns declared, {} given", fields.len());
+    let mut nulls = vec![false; natts];
+    let mut datums = vec![pg_sys::Datum::from(0usize); natts];
+    for (i, field) in fields.iter().enumerate() {
+        let column_type = unsafe { (*(*desc).attrs.as_ptr().add(i)).atttypid };
+        match field.datum(column_type) {
+            Some(d) => datums[i] = d,
+            None => nulls[i] = true,
+        }
+    }
+    (datums, nulls)
+}
+
+/// One row as a composite value.
+///
+/// # Safety
+/// `fcinfo` must be the pointer PostgreSQL called the function with.
+pub unsafe fn composite(fcinfo: pg_sys::FunctionCallInfo, fields: &[Field]) -> pg_sys::Datum {
+    unsafe {
+        let desc = pg_sys::BlessTupleDesc(expected_row(fcinfo));
+        let (mut datums, mut nulls) = values(desc, fields);
+        let tuple = pg_sys::heap_form_tuple(desc, datums.as_mut_ptr(), nulls.as_mut_ptr());
+        pg_sys::HeapTupleHeaderGetDatum((*tuple).t_data)
+    }
+}
+
+/// A materialised set of rows: spills to disk beyond `work_mem`.
+#[derive(Debug)]
+pub struct Rows {
+    store: *mut pg_sys::Tuplestorestate,
+    desc: pg_sys::TupleDesc,
+    /// Holds one row's values; emptied after each.
+    scratch: pg_sys::MemoryContext,
+}
+
+impl Rows {
+    /// Starts the set that the call returns.
+    pub fn new(args: &Args) -> Result<Self> {
+        unsafe {
+            let fcinfo = args.fcinfo();
+            let info = (*fcinfo).resultinfo.cast::<pg_sys::ReturnSetInfo>();
+            let materialise = pg_sys::SetFunctionReturnMode::SFRM_Materialize;
+            if info.is_null() || (*info).allowedModes as u32 & materialise as u32 == 0 {
+                return Err(Error::argument("a set-returning function", "in FROM or a select list", "elsewhere"));
+            }
+            let before = pg_sys::MemoryContextSwitchTo((*(*info).econtext).ecxt_per_query_memory);
+            let desc = pg_sys::CreateTupleDescCopy(expected_row(fcinfo));
+            let random = pg_sys::SetFunctionReturnMode::SFRM_Materialize_Random;
+            let store =
+                pg_sys::tuplestore_begin_heap((*info).allowedModes as u32 & random as u32 != 0, false, pg_sys::work_mem);
+            (*info).returnMode = materialise;
+            (*info).setResult = store;
+            (*info).setDesc = desc;
+            pg_sys::MemoryContextSwitchTo(before);
+            let scratch = pg_sys::AllocSetContextCreateInternal(
+                pg_sys::CurrentMemoryContext,
+                c"asbuilt rows".as_ptr(),
+                0,
+                pg_sys::ALLOCSET_DEFAULT_INITSIZE as usize,
+                pg_sys::ALLOCSET_DEFAULT_MAXSIZE as usize,
+            );
+            Ok(Self { store, desc, scratch })
+        }
+    }
+
+    /// Adds a row.
+    pub fn push(&mut self, fields: &[Field]) {
+        unsafe {
+            let before = pg_sys::MemoryContextSwitchTo(self.scratch);
+            let (mut datums, mut nulls) = values(self.desc, fields);
+            pg_sys::tuplestore_putvalues(self.store, self.desc, datums.as_mut_ptr(), nulls.as_mut_ptr());
+            pg_sys::MemoryContextSwitchTo(before);
+            pg_sys::MemoryContextReset(self.scratch);
+        }
+    }
+}

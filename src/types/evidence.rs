@@ -1,0 +1,66 @@
+//! `ab_evidence`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
+
+use asbuilt_core::Result;
+use asbuilt_core::num::text::{from_hex, to_hex};
+use asbuilt_core::verify::{Evidence, EvidenceHeader};
+
+use super::box_bytes;
+use crate::pg::{Args, Ret, sql_functions};
+
+/// Text form: this, then the bytes in hexadecimal.
+const PREFIX: &str = "ab_evidence:1:";
+
+fn header(args: &Args) -> Result<EvidenceHeader> {
+    Evidence::header(args.prefix(0, Evidence::HEADER_LEN))
+}
+
+sql_functions! {
+    fn ab_evidence_in(args) {
+        let bytes = from_hex("ab_evidence", PREFIX, &args.cstring(0))?;
+        Ok(Ret::Bytes(Evidence::from_bytes(&bytes)?.to_bytes()))
+    }
+
+    fn ab_evidence_out(args) {
+        Ok(Ret::CString(to_hex(PREFIX, args.bytes(0))))
+    }
+
+    fn ab_evidence_recv(args) {
+        Ok(Ret::Bytes(Evidence::from_bytes(args.message(0))?.to_bytes()))
+    }
+
+    fn ab_evidence_send(args) {
+        Ok(Ret::Bytes(args.bytes(0).to_vec()))
+    }
+
+    /// ab_rollup(e1, e2); a NULL adds nothing.
+    fn ab_evidence_rollup(args) {
+        match (args.is_null(0), args.is_null(1)) {
+            (true, true) => Ok(Ret::Null),
+            (false, true) => Ok(Ret::Bytes(args.bytes(0).to_vec())),
+            (true, false) => Ok(Ret::Bytes(args.bytes(1).to_vec())),
+            (false, false) => {
+                let mut e = Evidence::from_bytes(args.bytes(0))?;
+                e.merge(&Evidence::from_bytes(args.bytes(1))?)?;
+                Ok(Ret::Bytes(e.to_bytes()))
+            }
+        }
+    }
+
+    fn ab_evidence_box(args) {
+        Ok(Ret::Fixed(box_bytes(&header(args)?.bounds)))
+    }
+
+    fn ab_evidence_count(args) {
+        Ok(Ret::I32(header(args)?.samples as i32))
+    }
+
+    fn ab_evidence_station_count(args) {
+        Ok(Ret::I32(header(args)?.stations as i32))
+    }
+
+    fn ab_evidence_get_model(args) {
+        let mut bytes = Vec::new();
+        header(args)?.model.write(&mut bytes);
+        Ok(Ret::Fixed(bytes))
+    }
+}

@@ -1,0 +1,58 @@
+//! `ab_evidence_model`: the parameters, in core's byte form; `name=value` words as text.
+
+use asbuilt_core::Result;
+use asbuilt_core::num::bytes::Reader;
+use asbuilt_core::verify::{EvidenceModel, ModelKind};
+
+use crate::pg::{Args, Ret, sql_functions};
+
+const TY: &str = "ab_evidence_model";
+
+fn parse(bytes: &[u8]) -> Result<EvidenceModel> {
+    let mut r = Reader::new(bytes, TY);
+    let model = EvidenceModel::read(&mut r)?;
+    r.finish()?;
+    Ok(model)
+}
+
+fn ret(m: &EvidenceModel) -> Result<Ret> {
+    let mut bytes = Vec::with_capacity(EvidenceModel::LEN);
+    m.write(&mut bytes);
+    Ok(Ret::Fixed(bytes))
+}
+
+/// The model in argument `i`; the default when it is NULL.
+pub fn model_arg(args: &Args, i: usize) -> Result<EvidenceModel> {
+    if args.is_null(i) { Ok(EvidenceModel::default()) } else { parse(&args.fixed::<{ EvidenceModel::LEN }>(i)) }
+}
+
+/// Level of accuracy, model name, then the numbers in the order of `EvidenceModel::names`; NULL keeps the default.
+fn from_args(args: &Args) -> Result<EvidenceModel> {
+    let mut m = EvidenceModel::default();
+    if !args.is_null(0) {
+        m.loa = args.loa(0)?;
+    }
+    if !args.is_null(1) {
+        m.kind = ModelKind::parse(&args.text(1))?;
+    }
+    for (i, name) in EvidenceModel::names().enumerate() {
+        if !args.is_null(2 + i) {
+            m.set(name, args.f64(2 + i))?;
+        }
+    }
+    Ok(m)
+}
+
+sql_functions! {
+    fn ab_evidence_model_in(args) { ret(&EvidenceModel::from_text(&args.cstring(0))?) }
+
+    fn ab_evidence_model_out(args) { Ok(Ret::CString(model_arg(args, 0)?.to_text())) }
+
+    fn ab_evidence_model_recv(args) { ret(&parse(args.message(0))?) }
+
+    fn ab_evidence_model_send(args) {
+        Ok(Ret::Bytes(args.fixed::<{ EvidenceModel::LEN }>(0).to_vec()))
+    }
+
+    fn ab_evidence_model_make(args) { ret(&from_args(args)?) }
+}

@@ -1,0 +1,25 @@
+//! `ab_loa`: an enum of SQL's own; here only the table of its bounds.
+
+use asbuilt_core::evidence::Loa;
+
+use crate::pg::{Field, Ret, Rows, sql_functions};
+
+sql_functions! {
+    fn ab_loa_class(args) {
+        let mut rows = Rows::new(args)?;
+        for loa in Loa::ALL {
+            rows.push(&[
+                Field::Loa(loa),
+                Field::F64(loa.lower()),
+                Field::F64(loa.upper()),
+                Field::F64(loa.upper() / 2.0),
+                Field::Text("USIBD Level of Accuracy Specification Guide, version 2.0 (2016), 95 %".into()),
+            ]);
+        }
+        Ok(Ret::Null)
+    }
+
+    fn ab_tolerance(args) {
+        Ok(Ret::F64(args.loa(0)?.upper()))
+    }
+}

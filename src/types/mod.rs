@@ -1,0 +1,16 @@
+//! One SQL type a file: input, output, receive, send, constructors, accessors.
+
+mod aabb;
+mod evidence;
+mod evidence_model;
+mod loa;
+mod mass;
+mod overlap;
+mod samples;
+mod scan;
+mod solid;
+mod summary;
+
+pub use aabb::{BOX_LEN, box_bytes, box_from};
+pub use evidence_model::model_arg;
+pub use mass::mass_bytes;

@@ -1,0 +1,51 @@
+//! `ab_samples(e)`, `ab_faces(e)`: what is believed where.
+
+use asbuilt_core::geometry::Vec3;
+use asbuilt_core::verify::{Evidence, VerdictRule};
+
+use super::mass_bytes;
+use super::summary::question;
+use crate::pg::{Field, Ret, Rows, interrupt, sql_functions};
+
+fn vector(v: &Vec3) -> Field {
+    Field::Vector((*v).into())
+}
+
+sql_functions! {
+    fn ab_samples(args) {
+        let mut rows = Rows::new(args)?;
+        let e = Evidence::from_bytes(args.bytes(0))?;
+        let model = question(args, &e, 1)?;
+        e.for_each_sample(&model, &interrupt, |position, normal, b| {
+            rows.push(&[
+                vector(position),
+                vector(normal),
+                Field::Fixed(mass_bytes(&b.mass)),
+                Field::or_null(b.deviation, |d| Field::F64(d.0)),
+                Field::or_null(b.deviation, |d| Field::F64(d.1)),
+                Field::I32(b.beams.min(i32::MAX as u32) as i32),
+            ]);
+        })?;
+        Ok(Ret::Null)
+    }
+
+    fn ab_faces(args) {
+        let mut rows = Rows::new(args)?;
+        let e = Evidence::from_bytes(args.bytes(0))?;
+        let model = question(args, &e, 1)?;
+        for f in e.summary(&model, &VerdictRule::default(), &interrupt)?.faces {
+            rows.push(&[
+                vector(&f.normal),
+                Field::I64(f.samples as i64),
+                Field::I64(f.seen as i64),
+                Field::I64(f.confirmed as i64),
+                Field::I64(f.refuted as i64),
+                Field::I64(f.open() as i64),
+                Field::I64(f.pierced as i64),
+                Field::or_null(f.deviation, |d| Field::F64(d.0)),
+                Field::or_null(f.deviation, |d| Field::F64(d.1)),
+            ]);
+        }
+        Ok(Ret::Null)
+    }
+}
