@@ -1,1 +1,61 @@
-fn main(){}
+//! `asbuilt`: load models and laser scans into PostgreSQL, verify, simulate.
+//!
+//! * [`commands`]: what the user calls, one file each;
+//! * [`read`]: file formats;
+//! * [`stations`]: from points read to packed patches;
+//! * [`database`]: connection, tables, COPY;
+//! * [`simulate`]: scenes with known truth and a scanner in them;
+//! * [`output`]: tables, CSV, JSON, progress.
+
+mod commands;
+mod database;
+mod output;
+mod read;
+mod simulate;
+mod stations;
+
+use clap::{Parser, Subcommand};
+
+#[derive(Parser)]
+#[command(name = "asbuilt", version, about = "Is the building what the model says?", long_about = "\
+Is the building what the model says?
+
+Load a building model (IFC) and laser scans with scanner positions into PostgreSQL, then ask for a verdict on every
+building object: confirmed, deviating, absent, unobserved or conflicting, with the numbers that led to it.
+
+The database is the one psql would reach: PGHOST, PGPORT, PGUSER, PGPASSWORD, PGDATABASE, or --db URL.
+
+Example:
+  asbuilt load model.ifc
+  asbuilt load station1.e57 station2.e57 --epoch 2
+  asbuilt verify --epoch 2 --loa LOA30")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Load models and scans into the database, making its tables if they are missing
+    Load(commands::load::LoadArgs),
+    /// A verdict on every building object
+    Verify(commands::verify::VerifyArgs),
+    /// Simulate a laser scan of a model, with what was built otherwise
+    Simulate(commands::simulate::SimulateArgs),
+    /// Mesh an IFC file and write the products to standard output (the loader's child process)
+    #[command(hide = true)]
+    MeshIfc(commands::mesh_ifc::MeshIfcArgs),
+}
+
+fn main() {
+    let result = match Cli::parse().command {
+        Command::Load(args) => commands::load::run(&args),
+        Command::Verify(args) => commands::verify::run(&args),
+        Command::Simulate(args) => commands::simulate::run(&args),
+        Command::MeshIfc(args) => commands::mesh_ifc::run(&args),
+    };
+    if let Err(error) = result {
+        eprintln!("asbuilt: {error:#}");
+        std::process::exit(1);
+    }
+}

@@ -1,0 +1,269 @@
+//! `asbuilt load`: models and scans into the tables of the tour, one file a transaction.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, bail};
+use asbuilt_core::evidence::Loa;
+use asbuilt_core::geometry::{Aabb, Closedness, Vec3};
+use asbuilt_core::num::text::numbers;
+use postgres::{Client, Transaction};
+use serde_json::{Map, Value};
+
+use crate::database::connect::{DatabaseArgs, explain};
+use crate::database::copy::{BinaryCopy, jsonb};
+use crate::database::tables;
+use crate::output::{count, progress, spinner};
+use crate::read::{self, Kind, RawScan, ReadOptions, ifc};
+use crate::stations::{self, Packed};
+
+#[derive(clap::Args, Debug)]
+#[command(after_long_help = "\
+Models: IFC (STEP). Every product with a body becomes a row of building_object; what cannot be meshed is named.
+Scans: E57, LAS, LAZ, PLY, PTX, PCD, XYZ, PTS. Every scanner position becomes a row of station, its beams patches in
+scan. E57 and PTX tell the scanner's position; for the others give --origin, or the points say only what is occupied,
+never what is empty. Loading a file again replaces what it had loaded. A file that fails leaves nothing behind.
+
+Examples:
+  asbuilt load model.ifc --loa LOA20
+  asbuilt load scans/*.e57 --epoch 2
+  asbuilt load tripod.laz --epoch 2 --origin 12.3,4.5,1.6")]
+pub struct LoadArgs {
+    /// IFC models and scan files
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Epoch of the scans
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    epoch: i32,
+    /// The scanner's position, for files that do not tell it
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_origin)]
+    origin: Option<Vec3>,
+    /// Drop returns nearer than this (the scanner's own platform), metres
+    #[arg(long, default_value_t = 0.3, value_name = "M")]
+    min_range: f64,
+    /// Level of accuracy of objects whose property LevelOfAccuracy does not say
+    #[arg(long, default_value = "LOA30", value_parser = parse_loa)]
+    loa: Loa,
+    /// Give up meshing a model after this many seconds
+    #[arg(long, default_value_t = 300, value_name = "S")]
+    mesh_timeout: u64,
+    #[command(flatten)]
+    database: DatabaseArgs,
+}
+
+fn parse_origin(text: &str) -> std::result::Result<Vec3, String> {
+    numbers::<3>(text).map(Vec3::from).ok_or_else(|| format!("\"{text}\" is not three numbers x,y,z"))
+}
+
+pub fn parse_loa(text: &str) -> std::result::Result<Loa, String> {
+    Loa::parse(text).map_err(|e| e.to_string())
+}
+
+pub fn run(args: &LoadArgs) -> Result<()> {
+    if !(args.min_range >= 0.0 && args.min_range.is_finite()) {
+        bail!("--min-range {} must be 0 or more", args.min_range);
+    }
+    let kinds = args.files.iter().map(|f| read::kind(f)).collect::<Result<Vec<_>>>()?;
+    if let Some(missing) = args.files.iter().find(|f| !f.is_file()) {
+        bail!("{}: no such file", missing.display());
+    }
+    let mut client = args.database.connect()?;
+    for (file, kind) in args.files.iter().zip(kinds) {
+        let start = Instant::now();
+        // Dropped without commit, the transaction leaves nothing.
+        let mut tx = client.transaction().map_err(explain)?;
+        tables::make(&mut tx)?;
+        match kind {
+            Kind::Model => load_model(args, file, &mut tx)?,
+            Kind::Scan => load_scans(args, file, &mut tx)?,
+        }
+        tx.commit().map_err(explain).with_context(|| format!("{}: nothing of it was loaded", file.display()))?;
+        eprintln!("  in {:.1} s", start.elapsed().as_secs_f64());
+    }
+    client.batch_execute("ANALYZE building_object; ANALYZE scan").map_err(explain)?;
+    warn_apart(&mut client, args.epoch)
+}
+
+/// What the rows of a file are known by.
+fn source(file: &Path) -> String {
+    file.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+fn load_model(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> {
+    let bar = spinner(&format!("meshing {}", file.display()));
+    let model = ifc::read(file, Duration::from_secs(args.mesh_timeout))?;
+    bar.finish_and_clear();
+    let source = source(file);
+    tx.execute("DELETE FROM building_object WHERE source = $1", &[&source]).map_err(explain)?;
+    let columns = ["global_id", "ifc_class", "name", "storey", "loa", "solid", "properties", "source"];
+    let mut copy = BinaryCopy::start(tx, "building_object", &columns)?;
+    let (mut bounds, mut open, mut seen) = (Aabb::EMPTY, Vec::new(), std::collections::HashSet::new());
+    let (mut meshed, mut twice) = (0, 0);
+    for p in &model.products {
+        if !seen.insert(&p.global_id) {
+            twice += 1;
+            continue;
+        }
+        let loa = level(p, args.loa)?;
+        let solid = p.solid().with_context(|| format!("{} {}", p.ifc_class, p.name))?;
+        if let Some(s) = &solid {
+            meshed += 1;
+            bounds = bounds.union(&s.bounds());
+            if s.closedness() == Closedness::Open {
+                open.push(format!("{} {}", p.ifc_class, p.name));
+            }
+        }
+        let solid = solid.map(|s| s.to_bytes());
+        let text = |s: &str| s.replace('\0', "").into_bytes();
+        copy.row(&[
+            Some(&text(&p.global_id)),
+            Some(&text(&p.ifc_class)),
+            Some(&text(&p.name)),
+            p.storey.as_deref().map(text).as_deref(),
+            Some(loa.name().as_bytes()),
+            solid.as_deref(),
+            Some(&jsonb(&properties(p))),
+            Some(&text(&source)),
+        ])?;
+    }
+    copy.finish()?;
+    report_model(&source, &model, meshed, twice, &open, &bounds);
+    Ok(())
+}
+
+/// Its own level of accuracy, or the given one. A property that names no level is said, not guessed.
+fn level(p: &ifc::Product, default: Loa) -> Result<Loa> {
+    match &p.level_of_accuracy {
+        None => Ok(default),
+        Some(text) => Ok(Loa::parse(text).unwrap_or_else(|_| {
+            eprintln!("warning: {} has LevelOfAccuracy \"{text}\", which is none; {} taken", p.name, default.name());
+            default
+        })),
+    }
+}
+
+fn properties(p: &ifc::Product) -> Value {
+    let clean = |s: &str| Value::from(s.replace('\0', ""));
+    let mut map: Map<String, Value> = p.properties.iter().map(|(k, v)| (k.replace('\0', ""), clean(v))).collect();
+    if let Some(whole) = &p.part_of {
+        map.insert("part_of".into(), clean(whole));
+    }
+    if let Some(note) = &p.note {
+        map.insert("geometry_note".into(), clean(note));
+    }
+    Value::Object(map)
+}
+
+fn report_model(source: &str, model: &ifc::Model, meshed: usize, twice: usize, open: &[String], bounds: &Aabb) {
+    let parts = model.products.iter().filter(|p| p.part_of.is_some()).count();
+    eprintln!("{source}: {} products read, {meshed} meshed, {} open surfaces, {parts} parts of others, {} missing",
+        model.products.len(), open.len(), model.unmeshed.len());
+    eprintln!("  box {}", bounds.to_text());
+    list("open surface (area and verdict, no volume)", open);
+    let missing: Vec<String> = model.unmeshed.iter().map(|(name, why)| format!("{name}: {why}")).collect();
+    list("missing", &missing);
+    let left_out: Vec<String> = model.left_out.iter().map(|(class, n)| format!("{n} {class}")).collect();
+    if !left_out.is_empty() {
+        eprintln!("  no building objects, left out: {}", left_out.join(", "));
+    }
+    if twice > 0 {
+        eprintln!("  warning: {twice} products repeat another's GlobalId; the first of each was kept");
+    }
+    model.warnings.iter().for_each(|w| eprintln!("  warning: {w}"));
+}
+
+/// Names all missing, but of a long list only the beginning unless they are few.
+fn list(what: &str, names: &[String]) {
+    const SHOWN: usize = 40;
+    names.iter().take(SHOWN).for_each(|n| eprintln!("  {what}: {n}"));
+    if names.len() > SHOWN {
+        eprintln!("  … and {} more", names.len() - SHOWN);
+    }
+}
+
+fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> {
+    let source = source(file);
+    let delete = "DELETE FROM station WHERE source = $1 AND epoch = $2";
+    tx.execute(delete, &[&source, &args.epoch]).map_err(explain)?;
+    let bar = progress(&format!("reading {source}"), "points");
+    let mut total = Total::default();
+    let options = ReadOptions { origin: args.origin };
+    read::read_scans(file, &options, &bar, &mut |scan| {
+        if scan.beams.is_empty() {
+            eprintln!("  {}: empty, passed over", scan.name);
+            return Ok(());
+        }
+        let packed = store(args, &source, &scan, tx)?;
+        total.add(&scan, &packed);
+        Ok(())
+    })?;
+    bar.finish_and_clear();
+    if total.beams == 0 {
+        bail!("{}: every point is nearer than --min-range {} m", file.display(), args.min_range);
+    }
+    eprintln!(
+        "{source}: epoch {}, {} stations, {} beams, {} without return, {} too near (< {} m) dropped",
+        args.epoch, total.stations, count(total.beams), count(total.no_returns), count(total.too_near), args.min_range
+    );
+    eprintln!("  box {}", total.points.to_text());
+    if total.without_origin > 0 {
+        eprintln!("  warning: {} of them without scanner position: their points can say what is occupied, never what is \
+            empty; give --origin x,y,z if they were scanned from one place", total.without_origin);
+    }
+    Ok(())
+}
+
+#[derive(Debug)]
+struct Total {
+    stations: u64,
+    without_origin: u64,
+    beams: u64,
+    no_returns: u64,
+    too_near: u64,
+    points: Aabb,
+}
+
+impl Default for Total {
+    fn default() -> Self {
+        Self { stations: 0, without_origin: 0, beams: 0, no_returns: 0, too_near: 0, points: Aabb::EMPTY }
+    }
+}
+
+impl Total {
+    fn add(&mut self, scan: &RawScan, packed: &Packed) {
+        self.stations += 1;
+        self.without_origin += u64::from(scan.world_from_scan.is_none());
+        self.beams += packed.beams;
+        self.no_returns += packed.no_returns;
+        self.too_near += packed.too_near;
+        self.points = self.points.union(&packed.points);
+    }
+}
+
+fn store(args: &LoadArgs, source: &str, scan: &RawScan, tx: &mut Transaction) -> Result<Packed> {
+    let pose = scan.world_from_scan.map(|q| {
+        let a = scan.anchor;
+        vec![a.x, a.y, a.z, q[0], q[1], q[2], q[3]]
+    });
+    let insert = "INSERT INTO station (epoch, name, pose, sensor, source) VALUES ($1, $2, $3, $4, $5) RETURNING id";
+    let name = scan.name.replace('\0', "");
+    let row = tx.query_one(insert, &[&args.epoch, &name, &pose, &scan.sensor, &source]).map_err(explain)?;
+    let station: i64 = row.get(0);
+    let mut copy = BinaryCopy::start(tx, "scan", &["station_id", "epoch", "patch"])?;
+    let packed = stations::pack(scan, station, args.min_range, |patch| {
+        copy.row(&[Some(&station.to_be_bytes()), Some(&args.epoch.to_be_bytes()), Some(patch)])
+    })?;
+    copy.finish()?;
+    Ok(packed)
+}
+
+/// Models and scans in different frames are a common mistake, and all objects would come out unobserved.
+fn warn_apart(client: &mut Client, epoch: i32) -> Result<()> {
+    let question = "SELECT EXISTS (SELECT FROM building_object), EXISTS (SELECT FROM scan WHERE epoch = $1),
+        EXISTS (SELECT FROM building_object o JOIN scan s ON s.epoch = $1 AND s.patch && o.solid)";
+    let row = client.query_one(question, &[&epoch]).map_err(explain)?;
+    if row.get::<_, bool>(0) && row.get::<_, bool>(1) && !row.get::<_, bool>(2) {
+        eprintln!("warning: no beam of epoch {epoch} comes near any object: are model and scans in the same coordinate system?");
+    }
+    Ok(())
+}

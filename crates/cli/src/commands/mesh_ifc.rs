@@ -1,0 +1,15 @@
+//! `asbuilt mesh-ifc`: the loader's child process.
+
+use std::path::PathBuf;
+
+use anyhow::Result;
+
+#[derive(clap::Args, Debug)]
+pub struct MeshIfcArgs {
+    /// IFC file
+    file: PathBuf,
+}
+
+pub fn run(args: &MeshIfcArgs) -> Result<()> {
+    crate::read::ifc::answer(&args.file)
+}

@@ -1,0 +1,6 @@
+//! What the user calls, one file each.
+
+pub mod load;
+pub mod mesh_ifc;
+pub mod simulate;
+pub mod verify;

@@ -1,0 +1,135 @@
+//! `asbuilt simulate`: laser scans of a model whose truth is known.
+
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use anyhow::{Context, Result, bail};
+use asbuilt_core::geometry::Vec3;
+use asbuilt_core::num::text::numbers;
+
+use crate::output::{count, progress, spinner};
+use crate::read::ifc;
+use crate::simulate::changes::Changes;
+use crate::simulate::scanner::Scanner;
+use crate::simulate::scene::Scene;
+use crate::simulate::write::write_e57;
+
+#[derive(clap::Args, Debug)]
+#[command(after_long_help = "\
+STATIONS is a text file with a scanner position a line: x y z, in metres; # starts a comment.
+CHANGES is JSON and says what was built otherwise than drawn:
+  {\"objects\": {\"W-mid\": {\"shift\": [0.012, 0, 0]},
+               \"C2\":    {\"missing\": true},
+               \"W-east\": {\"tilt_deg\": 0.5, \"tilt_axis\": [0, 1, 0]}},
+   \"added\": [{\"name\": \"pallet\", \"min\": [9, 6.5, 0], \"max\": [10.2, 7.3, 0.4]},
+             {\"name\": \"pipe\", \"foot\": [1, 1, 0], \"radius\": 0.1, \"height\": 3}]}
+
+Example:
+  asbuilt simulate model.ifc --stations stations.txt --step-mrad 3 --built changes.json --out epoch2.e57")]
+pub struct SimulateArgs {
+    /// IFC model
+    model: PathBuf,
+    /// File of scanner positions
+    #[arg(long, value_name = "FILE")]
+    stations: PathBuf,
+    /// Where to write the scans (E57)
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// File of what was built otherwise
+    #[arg(long, value_name = "CHANGES.json")]
+    built: Option<PathBuf>,
+    /// Angle between neighbouring beams, milliradians
+    #[arg(long, default_value_t = 3.0, value_name = "MRAD")]
+    step_mrad: f64,
+    /// Standard deviation of a range, metres
+    #[arg(long, default_value_t = 0.001, value_name = "M")]
+    sigma_range: f64,
+    /// Standard deviation of an angle, radians
+    #[arg(long, default_value_t = 4e-5, value_name = "RAD")]
+    sigma_angle: f64,
+    /// Standard deviation of a station's registered position, metres per axis
+    #[arg(long, default_value_t = 0.0007, value_name = "M")]
+    sigma_registration: f64,
+    /// Share of mixed pixels
+    #[arg(long, default_value_t = 0.002, value_name = "SHARE")]
+    mixed_pixels: f64,
+    /// Farthest return, metres
+    #[arg(long, default_value_t = 60.0, value_name = "M")]
+    max_range: f64,
+    /// Seed; the same seed gives the same scans
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
+
+pub fn run(args: &SimulateArgs) -> Result<()> {
+    let scanner = scanner(args)?;
+    let stations = read_stations(&args.stations)?;
+    let changes = args.built.as_deref().map_or_else(|| Ok(Changes::default()), Changes::read)?;
+    let bar = spinner(&format!("meshing {}", args.model.display()));
+    let model = ifc::read(&args.model, Duration::from_secs(300))?;
+    bar.finish_and_clear();
+    let scene = Scene::new(&changes.build(&model.products)?);
+    let bar = progress("scanning", "stations");
+    bar.set_length(stations.len() as u64);
+    let mut scans = Vec::new();
+    for (i, station) in stations.iter().enumerate() {
+        scans.push(scanner.scan(&scene, station, args.seed.wrapping_add(1_000_003 * i as u64)));
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    write_e57(&args.out, &scans)?;
+    let shots = || scans.iter().flat_map(|s| &s.shots);
+    eprintln!(
+        "{}: {} stations, {} beams, {} without return",
+        args.out.display(),
+        scans.len(),
+        count(shots().count() as u64),
+        count(shots().filter(|s| !s.returned).count() as u64)
+    );
+    Ok(())
+}
+
+fn scanner(args: &SimulateArgs) -> Result<Scanner> {
+    for (name, value, max) in [
+        ("--sigma-range", args.sigma_range, 1.0),
+        ("--sigma-angle", args.sigma_angle, 0.1),
+        ("--sigma-registration", args.sigma_registration, 10.0),
+        ("--mixed-pixels", args.mixed_pixels, 1.0),
+        ("--max-range", args.max_range, 1e5),
+    ] {
+        if !(0.0..=max).contains(&value) {
+            bail!("{name} {value} must be between 0 and {max}");
+        }
+    }
+    if !(0.05..=100.0).contains(&args.step_mrad) {
+        bail!("--step-mrad {} must be between 0.05 and 100", args.step_mrad);
+    }
+    Ok(Scanner {
+        step: args.step_mrad * 1e-3,
+        sigma_range: args.sigma_range,
+        sigma_range_per_m: 1e-5,
+        sigma_angle: args.sigma_angle,
+        sigma_registration: args.sigma_registration,
+        mixed_pixels: args.mixed_pixels,
+        max_range: args.max_range,
+        min_elevation: (-60f64).to_radians(),
+    })
+}
+
+fn read_stations(path: &Path) -> Result<Vec<Vec3>> {
+    let text = std::fs::read_to_string(path).with_context(|| format!("{}: cannot read it", path.display()))?;
+    let mut out = Vec::new();
+    for (i, line) in text.lines().enumerate() {
+        let line = line.split('#').next().unwrap_or("").trim();
+        if !line.is_empty() {
+            let Some(p) = numbers::<3>(line) else {
+                bail!("{}, line {}: a position x y z expected, found \"{line}\"", path.display(), i + 1);
+            };
+            out.push(Vec3::from(p));
+        }
+    }
+    if out.is_empty() {
+        bail!("{}: it names no scanner position", path.display());
+    }
+    Ok(out)
+}

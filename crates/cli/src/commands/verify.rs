@@ -1,0 +1,103 @@
+//! `asbuilt verify`: the query of the tour, printed.
+
+use anyhow::{Result, bail};
+use asbuilt_core::evidence::Loa;
+use postgres::types::ToSql;
+use serde_json::Value;
+
+use super::load::parse_loa;
+use crate::database::connect::{DatabaseArgs, explain};
+use crate::output::{Format, Table, rounded, spinner};
+
+#[derive(clap::Args, Debug)]
+#[command(after_long_help = "\
+Verdicts: confirmed (built, within the tolerance), deviating (built, but displaced beyond it), absent (its space was
+seen empty), unobserved (too little was seen to say), conflicting (stations contradict each other).
+
+coverage is seen/all samples; confirmed + refuted + open = 1 over the seen ones; deviation is the median of the
+worst well-seen face along its outward normal and shift the rigid offset (x, y, z) with its standard deviation, both
+in metres; '-' marks a direction that the seen faces do not determine.")]
+pub struct VerifyArgs {
+    /// Epoch of the scans
+    #[arg(long, default_value_t = 1, value_name = "N")]
+    epoch: i32,
+    /// Judge every object at this level of accuracy, instead of at its own
+    #[arg(long, value_parser = parse_loa)]
+    loa: Option<Loa>,
+    /// Evidence model: surface, or meyer2022 (as published; for comparison)
+    #[arg(long, default_value = "surface")]
+    model: String,
+    /// Distance between samples on the objects, metres
+    #[arg(long, default_value_t = 0.02, value_name = "M")]
+    spacing: f64,
+    /// Standard deviation of a range, metres
+    #[arg(long, value_name = "M")]
+    sigma_range: Option<f64>,
+    /// Standard deviation of a station's registration, metres
+    #[arg(long, value_name = "M")]
+    sigma_station: Option<f64>,
+    /// Belief from which a sample counts as confirmed or refuted
+    #[arg(long, value_name = "P")]
+    confidence: Option<f64>,
+    /// How to print
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    #[command(flatten)]
+    database: DatabaseArgs,
+}
+
+const VERDICTS: &str = "
+SELECT o.name, o.global_id, o.ifc_class, o.storey, s.verdict, s.best_loa::text, s.samples, s.coverage,
+       s.confirmed, s.refuted, s.open, s.conflict, s.deviation, s.deviation_sd, s.shift
+FROM  (SELECT o.id, o.name, o.global_id, o.ifc_class, o.storey,
+              ab_evidence_agg(o.solid, s.patch, ab_evidence_model(
+                  loa => coalesce($2::text::ab_loa, o.loa), model => $3, spacing => $4,
+                  sigma_range => $5, sigma_station => $6, confidence => $7)) AS e
+       FROM   building_object o LEFT JOIN scan s ON s.epoch = $1 AND s.patch && o.solid
+       GROUP  BY o.id) o
+CROSS  JOIN LATERAL ab_summary(o.e) s
+ORDER  BY o.id";
+
+pub fn run(args: &VerifyArgs) -> Result<()> {
+    let mut client = args.database.connect()?;
+    let there = "SELECT to_regclass('building_object') IS NOT NULL AND to_regclass('scan') IS NOT NULL";
+    if !client.query_one(there, &[]).map_err(explain)?.get::<_, bool>(0) {
+        bail!("this database has no tables building_object and scan; fill them: asbuilt load MODEL.ifc SCAN.e57");
+    }
+    let scans = "SELECT EXISTS (SELECT FROM scan WHERE epoch = $1), (SELECT string_agg(DISTINCT epoch::text, ', ') FROM station)";
+    let row = client.query_one(scans, &[&args.epoch]).map_err(explain)?;
+    if !row.get::<_, bool>(0) {
+        let known: Option<String> = row.get(1);
+        bail!("no scan of epoch {}; loaded are epochs: {}", args.epoch, known.unwrap_or_else(|| "none".into()));
+    }
+    let loa = args.loa.map(Loa::name);
+    let parameters: [&(dyn ToSql + Sync); 7] =
+        [&args.epoch, &loa, &args.model, &args.spacing, &args.sigma_range, &args.sigma_station, &args.confidence];
+    let bar = spinner("verifying");
+    let rows = client.query(VERDICTS, &parameters).map_err(explain)?;
+    bar.finish_and_clear();
+    let wide = !matches!(args.format, Format::Table);
+    let mut columns = vec!["name"];
+    if wide {
+        columns.extend(["global_id", "ifc_class", "storey"]);
+    }
+    columns.extend(["verdict", "best_loa", "samples", "coverage", "confirmed", "refuted", "open", "conflict"]);
+    columns.extend(["deviation", "deviation_sd", "shift"]);
+    let mut table = Table::new(&columns);
+    for row in &rows {
+        let text = |i: usize| row.get::<_, Option<String>>(i).map_or(Value::Null, Value::from);
+        let number = |i: usize, digits: i32| rounded(row.get::<_, Option<f64>>(i), digits);
+        let mut out = vec![text(0)];
+        if wide {
+            out.extend([text(1), text(2), text(3)]);
+        }
+        let samples = row.get::<_, Option<i64>>(6).map_or(Value::Null, Value::from);
+        // No solid, no evidence: the object is there all the same.
+        let verdict = if text(4).is_null() { Value::from("unobserved") } else { text(4) };
+        out.extend([verdict, text(5), samples]);
+        out.extend((7..12).map(|i| number(i, 3)));
+        out.extend([number(12, 4), number(13, 4), text(14)]);
+        table.push(out);
+    }
+    table.print(args.format)
+}

@@ -1,0 +1,110 @@
+//! File formats: [`e57`], [`las`], [`ply`], [`ptx`], [`pcd`], [`xyz`] give scans, [`ifc`] gives a model.
+
+mod e57;
+mod grid;
+pub mod ifc;
+mod las;
+mod pcd;
+mod ply;
+mod ptx;
+mod text;
+mod xyz;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+use anyhow::{Context, Result, anyhow, bail};
+use asbuilt_core::geometry::Vec3;
+use asbuilt_core::scan::Beam;
+use indicatif::ProgressBar;
+
+/// What a scan file holds, position by position.
+#[derive(Debug)]
+pub struct RawScan {
+    /// Name in the file, or the file's own.
+    pub name: String,
+    /// Scanner, where the file tells.
+    pub sensor: Option<String>,
+    /// Rotation of scanner to world (unit quaternion w, x, y, z); `None` when the points have no origin.
+    pub world_from_scan: Option<[f64; 4]>,
+    /// The scanner's place, or a reference point near the data; world metres.
+    pub anchor: Vec3,
+    /// Beams relative to `anchor`, world axes.
+    pub beams: Vec<Beam>,
+}
+
+/// Rotation of a scan whose file gives none.
+pub const NO_ROTATION: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
+
+/// How to read.
+#[derive(Debug, Clone, Default)]
+pub struct ReadOptions {
+    /// The scanner's place as the user gives it; wins over the file's.
+    pub origin: Option<Vec3>,
+}
+
+/// Takes scans as they are read.
+pub type Sink<'a> = &'a mut dyn FnMut(RawScan) -> Result<()>;
+
+/// What a file is, by its name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A building model.
+    Model,
+    /// Laser scans or points.
+    Scan,
+}
+
+const SCAN_ENDINGS: [&str; 8] = ["e57", "las", "laz", "ply", "ptx", "pcd", "xyz", "pts"];
+
+/// Tells models from scans.
+pub fn kind(path: &Path) -> Result<Kind> {
+    let e = ending(path);
+    match e.as_str() {
+        "ifc" => Ok(Kind::Model),
+        _ if SCAN_ENDINGS.contains(&e.as_str()) => Ok(Kind::Scan),
+        _ => bail!("{}: unknown kind of file \".{e}\"; known are ifc, {}", path.display(), SCAN_ENDINGS.join(", ")),
+    }
+}
+
+fn ending(path: &Path) -> String {
+    path.extension().unwrap_or_default().to_string_lossy().to_lowercase()
+}
+
+/// Reads every scan of a file. A library that panics on a damaged file becomes an error.
+pub fn read_scans(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
+    let read = || match ending(path).as_str() {
+        "e57" => e57::read(path, options, bar, sink),
+        "las" | "laz" => las::read(path, options, bar, sink),
+        "ply" => ply::read(path, options, bar, sink),
+        "ptx" => ptx::read(path, bar, sink),
+        "pcd" => pcd::read(path, options, bar, sink),
+        _ => xyz::read(path, options, bar, sink),
+    };
+    silence_panics(read)
+        .unwrap_or_else(|_| Err(anyhow!("the file is damaged: its reader gave up in the middle")))
+        .with_context(|| format!("{}", path.display()))
+}
+
+/// Runs `work`; a panic inside is caught and not printed.
+pub fn silence_panics<T>(work: impl FnOnce() -> T) -> std::thread::Result<T> {
+    let hook = std::panic::take_hook();
+    std::panic::set_hook(Box::new(|_| {}));
+    let result = catch_unwind(AssertUnwindSafe(work));
+    std::panic::set_hook(hook);
+    result
+}
+
+/// Points in world coordinates as a scan from `options.origin`, or as points without origin.
+fn scan_of_points(path: &Path, points: Vec<Vec3>, origin: Option<Vec3>) -> Result<RawScan> {
+    let finite: Vec<Vec3> = points.into_iter().filter(|p| p.iter().all(|c| c.is_finite())).collect();
+    let first = *finite.first().ok_or_else(|| anyhow!("it holds no points"))?;
+    let anchor = origin.unwrap_or_else(|| first.map(|c| c.round()));
+    let beams = finite.into_iter().map(|p| Beam { offset: p - anchor, returned: true }).collect();
+    let world_from_scan = origin.map(|_| NO_ROTATION);
+    Ok(RawScan { name: stem(path), sensor: None, world_from_scan, anchor, beams })
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}

@@ -1,0 +1,89 @@
+//! PTX: scans one after the other, each with its grid and pose; `0 0 0` is a beam without return.
+
+use std::path::Path;
+
+use anyhow::{Result, bail};
+use asbuilt_core::geometry::Vec3;
+use asbuilt_core::scan::Beam;
+use indicatif::ProgressBar;
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
+
+use super::grid::{Cell, missing_directions};
+use super::text::{Lines, numbers};
+use super::{NO_ROTATION, RawScan, Sink, stem};
+
+/// Reads every scan of the file.
+pub fn read(path: &Path, bar: &ProgressBar, sink: Sink) -> Result<()> {
+    let mut lines = Lines::open(path, bar)?;
+    let mut number = 0;
+    while let Some(columns) = next_count(&mut lines)? {
+        let rows = lines.numbers::<1>("the number of rows")?[0];
+        if !(rows >= 1.0 && rows <= 1e6 && columns * rows <= 4e9) {
+            bail!("line {}: {columns}×{rows} is no scan grid", lines.number());
+        }
+        number += 1;
+        let (rotation, anchor) = pose(&mut lines)?;
+        let cells = cells(&mut lines, columns as u32, rows as u32)?;
+        let mut beams: Vec<Beam> =
+            cells.iter().filter_map(|c| c.point).map(|p| Beam { offset: rotation * p, returned: true }).collect();
+        beams.extend(missing_directions(&cells).iter().map(|d| Beam { offset: rotation * d, returned: false }));
+        let name = if number == 1 { stem(path) } else { format!("{} #{number}", stem(path)) };
+        sink(RawScan { name, sensor: None, world_from_scan: Some(quaternion(&rotation)), anchor, beams })?;
+    }
+    if number == 0 {
+        bail!("it holds no scan");
+    }
+    Ok(())
+}
+
+/// The number of columns that starts a scan, after blank lines; `None` at the end of the file.
+fn next_count(lines: &mut Lines) -> Result<Option<f64>> {
+    loop {
+        let Some(line) = lines.next()? else { return Ok(None) };
+        if line.is_empty() {
+            continue;
+        }
+        let found = line.to_owned();
+        return match numbers::<1>(&found) {
+            Some([n]) if n >= 1.0 && n <= 1e6 && n.fract() == 0.0 => Ok(Some(n)),
+            _ => bail!("line {}: the number of columns of a scan expected, found \"{found}\"", lines.number()),
+        };
+    }
+}
+
+/// Scanner position and axes (repeated in the matrix, and passed over), then the matrix of row vectors: a point
+/// p of the scanner lies at p·M.
+fn pose(lines: &mut Lines) -> Result<(Matrix3<f64>, Vec3)> {
+    for what in ["the scanner's position", "the first axis", "the second axis", "the third axis"] {
+        lines.numbers::<3>(what)?;
+    }
+    let mut rows = [[0.0; 4]; 4];
+    for row in &mut rows {
+        *row = lines.numbers::<4>("a row of the transformation")?;
+    }
+    if rows.iter().flatten().any(|v| !v.is_finite()) {
+        bail!("line {}: the transformation is not finite", lines.number());
+    }
+    let rotation = Matrix3::from_fn(|i, j| rows[j][i]);
+    Ok((rotation, Vec3::new(rows[3][0], rows[3][1], rows[3][2])))
+}
+
+fn cells(lines: &mut Lines, columns: u32, rows: u32) -> Result<Vec<Cell>> {
+    let mut out = Vec::new();
+    for column in 0..columns {
+        for row in 0..rows {
+            let p = Vec3::from(lines.numbers::<3>("a point")?);
+            let point = (p != Vec3::zeros() && p.iter().all(|c| c.is_finite())).then_some(p);
+            out.push(Cell { row, column, point });
+        }
+    }
+    Ok(out)
+}
+
+fn quaternion(rotation: &Matrix3<f64>) -> [f64; 4] {
+    if (rotation * rotation.transpose() - Matrix3::identity()).amax() > 1e-3 || rotation.determinant() < 0.0 {
+        return NO_ROTATION; // scaled or mirrored: the beams are right all the same
+    }
+    let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix(rotation));
+    [q.w, q.i, q.j, q.k]
+}
