@@ -71,8 +71,24 @@ fn ending(path: &Path) -> String {
     path.extension().unwrap_or_default().to_string_lossy().to_lowercase()
 }
 
+/// No scanner ranges farther, metres: points beyond it carry a position that is not theirs.
+const MAX_RANGE_M: f64 = 50_000.0;
+
+/// A scan whose points lie impossibly far from its position (merged clouds in world coordinates, saved with the
+/// scanner at zero) becomes points without origin.
+fn doubt_origin(mut scan: RawScan) -> RawScan {
+    let Some(far) = scan.beams.iter().find(|b| b.returned && b.offset.norm() > MAX_RANGE_M) else { return scan };
+    let shift = far.offset.map(|c| c.round());
+    scan.anchor += shift;
+    scan.beams.retain(|b| b.returned);
+    scan.beams.iter_mut().for_each(|b| b.offset -= shift);
+    scan.world_from_scan = None;
+    scan
+}
+
 /// Reads every scan of a file. A library that panics on a damaged file becomes an error.
 pub fn read_scans(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
+    let sink: Sink = &mut |scan| sink(doubt_origin(scan));
     let read = || match ending(path).as_str() {
         "e57" => e57::read(path, options, bar, sink),
         "las" | "laz" => las::read(path, options, bar, sink),

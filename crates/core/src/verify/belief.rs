@@ -12,8 +12,6 @@ use crate::{Interrupt, Result, poll};
 
 /// How much of the reliability a surface in front of the face keeps: it may be furniture.
 const IN_FRONT_RELIABILITY: f64 = 0.9;
-/// Joint coverage by the stations from which a sample counts as seen.
-const SEEN_COVERAGE: f64 = 0.5;
 
 /// What is believed at one sample.
 #[derive(Debug, Clone, Copy)]
@@ -30,7 +28,7 @@ pub struct SampleBelief {
     pub beams: u32,
     /// Stations that saw a surface here.
     pub stations: u32,
-    /// Whether enough beams spoke to call the sample seen.
+    /// Whether so many beams spoke that belief could reach the confidence, had they all said the same.
     pub seen: bool,
     /// Conflict between stations.
     pub conflict: f64,
@@ -40,6 +38,7 @@ pub struct SampleBelief {
 struct Accumulator {
     commonality: LogCommonality,
     not_in_front: f64,
+    /// 1 − the most belief that the stations could give together.
     not_covered: f64,
     hit: f64,
     through: f64,
@@ -83,7 +82,7 @@ impl Evidence {
                 ModelKind::Meyer2022 => acc.add_rays(sums),
             }
         }
-        acc.finish()
+        acc.finish(model)
     }
 }
 
@@ -121,7 +120,7 @@ impl Accumulator {
         let mass = Mass { occupied, empty, unknown: (1.0 - occupied - empty).max(1.0 - model.reliability) };
         self.commonality.add(&mass.log_commonality());
         self.not_in_front *= 1.0 - IN_FRONT_RELIABILITY * trust * hit_share * (1.0 - up);
-        self.not_covered *= 1.0 - covered;
+        self.not_covered *= 1.0 - trust;
         self.hit += r.hit;
         self.through += r.through;
         if r.hit > 0.0 {
@@ -143,7 +142,7 @@ impl Accumulator {
         self.through += own.empty;
     }
 
-    fn finish(self) -> SampleBelief {
+    fn finish(self, model: &EvidenceModel) -> SampleBelief {
         let deviation =
             (self.precision > 0.0).then(|| (self.weighted_deviation / self.precision, self.precision.sqrt().recip()));
         let spoke = self.hit + self.through;
@@ -154,7 +153,7 @@ impl Accumulator {
             deviation,
             beams: self.beams,
             stations: self.stations,
-            seen: 1.0 - self.not_covered >= SEEN_COVERAGE,
+            seen: 1.0 - self.not_covered >= model.confidence,
             conflict: self.commonality.conflict(),
         }
     }

@@ -31,6 +31,8 @@ pub struct FaceReport {
     pub displaced: bool,
     /// Median deviation along the outward normal, metres, and its standard deviation.
     pub deviation: Option<(f64, f64)>,
+    /// The part of that standard deviation that is the face's own: without registration and model.
+    pub random_sd: f64,
     /// Sum over seen samples of the conflict between stations.
     pub conflict: f64,
 }
@@ -84,7 +86,8 @@ fn judge(normal: Vec3, samples: u64, seen: &[SampleBelief], model: &EvidenceMode
         pierced: 0,
         surface,
         displaced,
-        deviation: location.map(|(centre, spread)| (centre, median_sd(seen, spread, surface, model))),
+        deviation: location.map(|(centre, spread)| (centre, median_sd(spread, surface).hypot(common_sd(seen, model)))),
+        random_sd: location.map_or(0.0, |(_, spread)| median_sd(spread, surface)),
         conflict: seen.iter().map(|s| s.conflict).sum(),
     };
     for s in seen {
@@ -100,12 +103,14 @@ fn judge(normal: Vec3, samples: u64, seen: &[SampleBelief], model: &EvidenceMode
     report
 }
 
-/// Standard deviation of the face's median: the samples' scatter averages out, the stations' registration only
-/// over the stations.
-fn median_sd(seen: &[SampleBelief], spread: f64, surface: u64, model: &EvidenceModel) -> f64 {
+/// Standard deviation of the median of `n` samples with this robust spread: 1.2533 σ/√n.
+fn median_sd(spread: f64, n: u64) -> f64 {
+    1.2533 * spread / (n.max(1) as f64).sqrt()
+}
+
+/// What the samples share: registration averages out over the stations only, the model not at all.
+fn common_sd(seen: &[SampleBelief], model: &EvidenceModel) -> f64 {
     let mut stations: Vec<f64> = seen.iter().filter(|s| s.stations > 0).map(|s| f64::from(s.stations)).collect();
     let stations = median(&mut stations).unwrap_or(1.0).max(1.0);
-    let systematic = model.sigma_station.powi(2) / stations + model.sigma_model.powi(2);
-    // 1.2533² σ²/n is the variance of a normal sample's median.
-    (1.5708 * spread * spread / (surface.max(1) as f64) + systematic).sqrt()
+    (model.sigma_station / stations.sqrt()).hypot(model.sigma_model)
 }

@@ -17,6 +17,7 @@ mod sample;
 mod shift;
 mod summary;
 mod sums;
+mod surface_points;
 mod surface_sums;
 
 pub use belief::SampleBelief;
@@ -28,3 +29,4 @@ pub use sample::Samples;
 pub use shift::Shift;
 pub use summary::{Shares, Summary, Verdict, VerdictRule};
 pub use sums::Sums;
+pub use surface_points::SurfacePoints;

@@ -4,6 +4,7 @@ use super::evidence::Evidence;
 use super::face::FaceReport;
 use super::model::{EvidenceModel, ModelKind};
 use super::shift::Shift;
+use super::surface_points::SurfacePoints;
 use crate::evidence::Loa;
 use crate::{Interrupt, Result};
 
@@ -134,7 +135,10 @@ impl Evidence {
             open: (totals.seen - totals.confirmed - totals.refuted) as f64 / seen,
             conflict: totals.conflict / seen,
         });
-        let deviation = worst_face(&faces, &totals).and_then(|f| f.deviation);
+        // Surfaces met where an absent object should stand are not its own.
+        let built = !matches!(verdict, Verdict::Absent | Verdict::Unobserved);
+        let deviation = worst_face(&faces, &totals).filter(|_| built).and_then(|f| f.deviation);
+        let shift = if built { self.shift(&faces, &model, interrupt)? } else { None };
         Ok(Summary {
             verdict,
             best_loa,
@@ -142,9 +146,18 @@ impl Evidence {
             coverage: if totals.samples > 0 { seen / totals.samples as f64 } else { 0.0 },
             shares,
             deviation,
-            shift: Shift::fit(&faces),
+            shift,
             faces,
         })
+    }
+
+    fn shift(&self, faces: &[FaceReport], model: &EvidenceModel, interrupt: Interrupt) -> Result<Option<Shift>> {
+        if model.kind != ModelKind::Surface {
+            return Ok(None);
+        }
+        let stations = (self.stations.len() as f64).max(1.0);
+        let common_sd = (model.sigma_station / stations.sqrt()).hypot(model.sigma_model);
+        Ok(Shift::fit(faces, &SurfacePoints::of(self, interrupt)?, common_sd))
     }
 
     /// Level of accuracy and confidence may be asked anew; how the sums were made may not.

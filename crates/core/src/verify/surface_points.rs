@@ -1,0 +1,106 @@
+//! The built surface as points, fitted to the drawn one.
+
+use nalgebra::Matrix3;
+use rstar::primitives::GeomWithData;
+use rstar::RTree;
+
+use super::evidence::Evidence;
+use super::shift::{Vote, solve};
+use super::surface_sums::SurfaceReading;
+use crate::geometry::Vec3;
+use crate::{Interrupt, Result, poll};
+
+/// Points used at the most, and samples of the drawn surface: enough to average noise away, few enough to be quick.
+const MAX_POINTS: usize = 6_000;
+const MAX_SAMPLES: usize = 60_000;
+/// Fewer points than this cannot better the faces' own offsets.
+const MIN_POINTS: usize = 50;
+/// Rounds of closest points.
+const ROUNDS: usize = 12;
+/// A point is compared with drawn faces that look its way (cos 45°).
+const MIN_TURN_COS: f64 = 0.7;
+
+type Drawn = GeomWithData<[f64; 3], u32>;
+
+/// Points of the built surface near the drawn one, and the drawn samples (local coordinates of the evidence).
+#[derive(Debug, Default)]
+pub struct SurfacePoints {
+    /// Position and the face that the beam was aimed at.
+    built: Vec<(Vec3, u32)>,
+    drawn: Vec<Drawn>,
+    normals: Vec<Vec3>,
+}
+
+impl SurfacePoints {
+    /// Where each station met a surface: on its sight line to a sample, short of it by d/cos θ.
+    pub(super) fn of(e: &Evidence, interrupt: Interrupt) -> Result<Self> {
+        let samples = &e.samples;
+        let stride = |n: usize, most: usize| n.div_ceil(most).max(1);
+        let (every_drawn, every_built) =
+            (stride(samples.len(), MAX_SAMPLES), stride(samples.len() * e.stations.len(), MAX_POINTS));
+        let mut out = Self { normals: samples.normals.clone(), ..Self::default() };
+        let mut counter = 0;
+        for (b, block) in samples.blocks.iter().enumerate() {
+            poll(interrupt)?;
+            let normal = &samples.normals[block.face as usize];
+            for k in 0..block.len as usize {
+                let i = block.start as usize + k;
+                let local = samples.local(i);
+                if i % every_drawn == 0 {
+                    out.drawn.push(Drawn::new(local.into(), block.face));
+                }
+                for station in &e.stations {
+                    counter += 1;
+                    let sums = station.blocks[b].as_ref().map(|s| &s[k]);
+                    let reading = sums.and_then(SurfaceReading::of).filter(|r| r.hit > 2.0 * r.through && r.hit > 1.0);
+                    if let (true, Some(r)) = (counter % every_built == 0, reading) {
+                        let sight = local + samples.reference - station.origin;
+                        let direction = sight.normalize();
+                        let cos = direction.dot(normal).abs().max(0.1);
+                        out.built.push((local - direction * (r.deviation / cos), block.face));
+                    }
+                }
+            }
+        }
+        Ok(out)
+    }
+
+    /// Point-to-plane closest points (Chen & Medioni 1992), translation only, one vote a face: each point weighs
+    /// the less, the more of its face there are.
+    pub(super) fn refine(&self, start: Vec3, projector: &Matrix3<f64>) -> Option<(Vec3, Matrix3<f64>)> {
+        if self.built.len() < MIN_POINTS {
+            return None;
+        }
+        let tree = RTree::bulk_load(self.drawn.clone());
+        let mut per_face = vec![0f64; self.normals.len()];
+        self.built.iter().for_each(|(_, f)| per_face[*f as usize] += 1.0);
+        let mut shift = start;
+        let mut covariance = Matrix3::zeros();
+        for _ in 0..ROUNDS {
+            let votes: Vec<Vote> = self
+                .built
+                .iter()
+                .filter_map(|(p, face)| {
+                    let moved = p - shift;
+                    let looks = &self.normals[*face as usize];
+                    let near = tree.nearest_neighbor_iter(&moved.into()).take(16);
+                    let mut fitting = near.filter(|d| self.normals[d.data as usize].dot(looks) >= MIN_TURN_COS);
+                    let drawn = fitting.next()?;
+                    let normal = self.normals[drawn.data as usize];
+                    let off = normal.dot(&(moved - Vec3::from(*drawn.geom())));
+                    // A face's points together weigh as one vote of 0.3 mm.
+                    let sd = 3e-4 * per_face[*face as usize].sqrt();
+                    Some(Vote { normal, offset: off + normal.dot(&shift), sd })
+                })
+                .collect();
+            let (next, inverse) = solve(&votes, projector)?;
+            let step = (next - shift).norm();
+            shift = next;
+            covariance = inverse;
+            if step < 1e-5 {
+                break;
+            }
+        }
+        Some((shift, covariance))
+    }
+}
