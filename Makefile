@@ -1,0 +1,49 @@
+# asbuilt. On a bare Debian 12 machine with a Rust toolchain, as root or with sudo:
+#   make demo                                  install what is missing, build, load a demo building, verify it
+#   make demo MODEL=x.ifc SCANS="a.e57 b.e57"  the same on your own files
+#   make test                                  every test
+#   make install PG_CONFIG=/path/to/pg_config  into a local PostgreSQL
+
+PG_VERSION ?= 15
+PG_CONFIG ?= /usr/lib/postgresql/$(PG_VERSION)/bin/pg_config
+export PG_VERSION PG_CONFIG
+
+MODEL ?=
+SCANS ?=
+LOA ?=
+
+.PHONY: demo demo-stop test installcheck install bench lint docs setup clean
+
+demo: setup
+	@scripts/demo.sh "$(MODEL)" "$(SCANS)" "$(LOA)"
+
+demo-stop:
+	@scripts/cluster.sh drop $${TMPDIR:-/tmp}/asbuilt-demo-$$(id -u)
+
+test: setup
+	scripts/test.sh
+
+# Tests against an installed extension and a built program alone.
+installcheck:
+	scripts/installcheck.sh
+
+install: setup
+	scripts/install.sh
+
+bench: setup
+	scripts/bench.sh
+
+lint:
+	cargo fmt --all --check
+	cargo clippy --workspace --exclude asbuilt --all-targets -- -D warnings
+	cargo clippy -p asbuilt --no-default-features --features pg$(PG_VERSION) -- -D warnings
+
+# docs/api.md from the COMMENTs of an installed extension.
+docs: setup
+	scripts/api_docs.sh
+
+setup:
+	@scripts/setup.sh
+
+clean:
+	cargo clean

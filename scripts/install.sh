@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Build the extension and the program `asbuilt`, install the extension into the PostgreSQL of PG_CONFIG.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+PG_CONFIG=${PG_CONFIG:-/usr/lib/postgresql/15/bin/pg_config}
+version=$("$PG_CONFIG" --version | sed -E 's/^PostgreSQL ([0-9]+).*/\1/')
+
+sudo=
+[ -w "$("$PG_CONFIG" --pkglibdir)" ] || sudo=--sudo
+log=target/install.log
+mkdir -p target
+echo "install: building the extension for PostgreSQL $version"
+if ! cargo pgrx install --release $sudo --pg-config "$PG_CONFIG" --no-default-features --features "pg$version" >$log 2>&1; then
+  cat $log >&2
+  exit 1
+fi
+echo "install: building the program asbuilt"
+cargo build --release --quiet -p asbuilt-cli
+echo "install: done; in psql: CREATE EXTENSION asbuilt; in the shell: $PWD/target/release/asbuilt --help"

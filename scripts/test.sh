@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Every test: units of the core (with overflow checks), of the program, then SQL and end-to-end tests on a private cluster.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+echo "test: core"
+cargo test --quiet -p asbuilt-core
+echo "test: program"
+cargo test --quiet --release -p asbuilt-cli
+scripts/install.sh
+scripts/installcheck.sh
