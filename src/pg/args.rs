@@ -41,8 +41,11 @@ impl Args {
         self.slot(i).isnull
     }
 
+    /// The value; a NULL that reaches this far is a bug, and a panic is better than its address.
     pub(super) fn datum(&self, i: usize) -> pg_sys::Datum {
-        self.slot(i).value
+        let slot = self.slot(i);
+        assert!(!slot.isnull, "argument {i} is NULL");
+        slot.value
     }
 
     /// A `float8`.

@@ -57,7 +57,7 @@ sql_functions! {
         let rays = RayModel::new(args.f64(3), args.f64(4), args.f64(5))?;
         let m = rays.mass(&origin, &point, &query);
         if m.occupied.is_nan() {
-            return Err(Error::argument("a coordinate", "finite", "not a number"));
+            return Err(Error::argument("a coordinate", "finite", "NaN"));
         }
         ret(&m)
     }

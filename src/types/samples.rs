@@ -14,6 +14,9 @@ fn vector(v: &Vec3) -> Field {
 sql_functions! {
     fn ab_samples(args) {
         let mut rows = Rows::new(args)?;
+        if args.is_null(0) {
+            return Ok(Ret::Null);
+        }
         let e = Evidence::from_bytes(args.bytes(0))?;
         let model = question(args, &e, 1)?;
         e.for_each_sample(&model, &interrupt, |position, normal, b| {
@@ -31,6 +34,9 @@ sql_functions! {
 
     fn ab_faces(args) {
         let mut rows = Rows::new(args)?;
+        if args.is_null(0) {
+            return Ok(Ret::Null);
+        }
         let e = Evidence::from_bytes(args.bytes(0))?;
         let model = question(args, &e, 1)?;
         for f in e.summary(&model, &VerdictRule::default(), &interrupt)?.faces {

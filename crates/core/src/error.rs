@@ -107,6 +107,9 @@ impl Error {
             Self::TotalConflict => {
                 "Discount the sources by their reliability (a mass below 1) before they are combined.".into()
             }
+            Self::Mismatch { reason } if reason.contains("group") => {
+                "GROUP BY the object, so that every group holds one solid and one model.".into()
+            }
             Self::Mismatch { .. } => {
                 "Roll up only evidence of the same solid, made with the same ab_evidence_model().".into()
             }

@@ -10,6 +10,9 @@ use crate::geometry::Vec3;
 use crate::num::normal::cdf;
 use crate::{Interrupt, Result, poll};
 
+/// The ray model calls a sample seen when this much of its mass is committed: its kernel is narrow, and belief
+/// rarely comes near the confidence.
+const SEEN_BY_RAYS: f64 = 0.5;
 /// How much of the reliability a surface in front of the face keeps: it may be furniture.
 const IN_FRONT_RELIABILITY: f64 = 0.9;
 
@@ -153,7 +156,10 @@ impl Accumulator {
             deviation,
             beams: self.beams,
             stations: self.stations,
-            seen: 1.0 - self.not_covered >= model.confidence,
+            seen: 1.0 - self.not_covered >= match model.kind {
+                ModelKind::Surface => model.confidence,
+                ModelKind::Meyer2022 => SEEN_BY_RAYS,
+            },
             conflict: self.commonality.conflict(),
         }
     }

@@ -104,7 +104,7 @@ impl Evidence {
             return mismatch("they are about different solids");
         }
         if self.model != other.model {
-            return mismatch(&format!("one has [{}], the other [{}]", self.model.to_text(), other.model.to_text()));
+            return mismatch(&format!("they were made with {}", self.model.difference(&other.model)));
         }
         if self.samples != other.samples {
             return mismatch("their samples differ");

@@ -152,6 +152,13 @@ impl EvidenceModel {
         RayModel { kappa: self.kappa, lambda: self.lambda, c: self.c }
     }
 
+    /// The parameters in which two models differ, as text.
+    pub fn difference(&self, other: &Self) -> String {
+        let (a, b) = (self.to_text(), other.to_text());
+        let pairs = a.split(' ').zip(b.split(' ')).filter(|(x, y)| x != y);
+        pairs.map(|(x, y)| format!("{x} and {y}")).collect::<Vec<_>>().join(", ")
+    }
+
     /// Appends the stored form.
     pub fn write(&self, out: &mut Vec<u8>) {
         out.put_u32(self.kind as u32);
@@ -184,12 +191,13 @@ impl EvidenceModel {
         out
     }
 
-    /// Reads [`EvidenceModel::to_text`]'s form; what is not named keeps its default.
+    /// Reads [`EvidenceModel::to_text`]'s form; what is not named keeps its default, and a level of accuracy need
+    /// not be named (SQL reads `ab_evidence_model('LOA20')` as this text, not as a call).
     pub fn from_text(text: &str) -> Result<Self> {
         let bad = || Error::syntax("ab_evidence_model", text);
         let mut m = Self::default();
         for word in text.split_whitespace() {
-            let (name, value) = word.split_once('=').ok_or_else(bad)?;
+            let (name, value) = word.split_once('=').unwrap_or(("loa", word));
             match name {
                 "model" => m.kind = ModelKind::parse(value)?,
                 "loa" => m.loa = Loa::parse(value)?,
@@ -211,6 +219,7 @@ mod tests {
         m.set("sigma_range", 0.1 + 0.2).unwrap();
         assert_eq!(EvidenceModel::from_text(&m.to_text()).unwrap(), m);
         assert_eq!(EvidenceModel::from_text("").unwrap(), EvidenceModel::default());
+        assert_eq!(EvidenceModel::from_text("LOA20").unwrap().loa, Loa::Loa20);
         for bad in ["spacing", "spacing=x", "spacing=0", "spacing=nan", "model=other", "loa=LOA35", "colour=1"] {
             assert!(EvidenceModel::from_text(bad).is_err(), "{bad}");
         }
