@@ -1,14 +1,15 @@
-//! Judging one face: how its samples divide, and whether they agree that it is displaced.
+//! Judging one face: how its samples divide, and whether together they show it displaced.
 
 use super::belief::SampleBelief;
+use super::consensus::Consensus;
 use super::evidence::Evidence;
 use super::model::EvidenceModel;
 use crate::geometry::Vec3;
 use crate::num::stats::{median, median_and_spread};
 use crate::{Interrupt, Result, poll};
 
-/// Share of a face's seen samples that must agree on one offset for the face to count as displaced.
-const CONSENSUS: f64 = 0.5;
+/// Share of a face's seen samples that must lie on one plane for that plane to be the built face.
+const MAJORITY: f64 = 0.5;
 
 /// How the samples of one face divide.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +28,7 @@ pub struct FaceReport {
     pub pierced: u64,
     /// Samples at which a surface was seen within the search band.
     pub surface: u64,
-    /// The seen samples agree on an offset beyond the tolerance.
+    /// The seen samples lie on one plane, and most of it beyond the tolerance.
     pub displaced: bool,
     /// Median deviation along the outward normal, metres, and its standard deviation.
     pub deviation: Option<(f64, f64)>,
@@ -47,7 +48,7 @@ impl FaceReport {
 impl Evidence {
     /// A report for each face, at the tolerance and confidence of `model`.
     pub(super) fn face_reports(&self, model: &EvidenceModel, interrupt: Interrupt) -> Result<Vec<FaceReport>> {
-        let mut beliefs: Vec<Vec<SampleBelief>> = vec![Vec::new(); self.samples.normals.len()];
+        let mut beliefs: Vec<Vec<Seen>> = vec![Vec::new(); self.samples.normals.len()];
         let mut totals = vec![0u64; self.samples.normals.len()];
         for (b, block) in self.samples.blocks.iter().enumerate() {
             if b % 64 == 0 {
@@ -58,25 +59,24 @@ impl Evidence {
             if self.stations.iter().all(|s| s.blocks[b].is_none()) {
                 continue;
             }
-            let seen = (0..block.len as usize).map(|i| self.belief(b, i, model)).filter(|x| x.seen);
-            beliefs[face].extend(seen);
+            let at = |i: usize| (self.samples.local(block.start as usize + i), self.belief(b, i, model));
+            beliefs[face].extend((0..block.len as usize).map(at).filter(|(_, belief)| belief.seen));
         }
-        let face = |(i, b): (usize, &Vec<SampleBelief>)| judge(self.samples.normals[i], totals[i], b, model);
+        let face = |(i, b): (usize, &Vec<Seen>)| judge(self.samples.normals[i], totals[i], b, model);
         Ok(beliefs.iter().enumerate().map(face).collect())
     }
 }
 
-fn judge(normal: Vec3, samples: u64, seen: &[SampleBelief], model: &EvidenceModel) -> FaceReport {
+/// A seen sample's position and belief.
+type Seen = (Vec3, SampleBelief);
+
+fn judge(normal: Vec3, samples: u64, seen: &[Seen], model: &EvidenceModel) -> FaceReport {
     let tolerance = model.tolerance();
-    let mut offsets: Vec<f64> = seen.iter().filter_map(|s| s.deviation.map(|d| d.0)).collect();
-    let surface = offsets.len() as u64;
-    let location = median_and_spread(&mut offsets);
-    let agreeing = |s: &SampleBelief| {
-        let (Some((d, sd)), Some((centre, _))) = (s.deviation, location) else { return false };
-        (d - centre).abs() <= (0.5 * tolerance).max(3.0 * sd)
-    };
-    let displaced = location.is_some_and(|(centre, _)| centre.abs() > tolerance)
-        && seen.iter().filter(|s| agreeing(s)).count() as f64 >= CONSENSUS * seen.len() as f64;
+    let observed: Vec<(Vec3, f64)> = seen.iter().filter_map(|(p, b)| b.deviation.map(|d| (*p, d.0))).collect();
+    let surface = observed.len() as u64;
+    let location = median_and_spread(&mut observed.iter().map(|o| o.1).collect::<Vec<_>>());
+    let on_plane = agreement(&normal, &observed, seen, tolerance);
+    let displaced = on_plane.is_some() && location.is_some_and(|(centre, _)| centre.abs() > tolerance);
     let mut report = FaceReport {
         normal,
         samples,
@@ -88,19 +88,34 @@ fn judge(normal: Vec3, samples: u64, seen: &[SampleBelief], model: &EvidenceMode
         displaced,
         deviation: location.map(|(centre, spread)| (centre, median_sd(spread, surface).hypot(common_sd(seen, model)))),
         random_sd: location.map_or(0.0, |(_, spread)| median_sd(spread, surface)),
-        conflict: seen.iter().map(|s| s.conflict).sum(),
+        conflict: seen.iter().map(|(_, b)| b.conflict).sum(),
     };
-    for s in seen {
-        // In front of the face alone is no refutation: furniture. All of the face in front at one offset is.
-        let moved = displaced && agreeing(s) && s.in_front >= 0.8 * model.confidence;
-        if s.mass.empty >= model.confidence || moved {
+    for (position, b) in seen {
+        // A surface in front of the face is no refutation by itself: furniture. One that is the face is.
+        let moved = b.in_front >= 0.8 * model.confidence && on_plane.as_ref().is_some_and(|agrees| agrees(position, b));
+        if b.mass.empty >= model.confidence || moved {
             report.refuted += 1;
-            report.pierced += u64::from(!moved && s.pierced > 0.5);
-        } else if s.mass.occupied >= model.confidence {
+            report.pierced += u64::from(!moved && b.pierced > 0.5);
+        } else if b.mass.occupied >= model.confidence {
             report.confirmed += 1;
         }
     }
     report
+}
+
+/// Tells which samples lie on the built face, where most of the seen ones do.
+fn agreement(
+    normal: &Vec3,
+    observed: &[(Vec3, f64)],
+    seen: &[Seen],
+    tolerance: f64,
+) -> Option<impl Fn(&Vec3, &SampleBelief) -> bool> {
+    let consensus = Consensus::fit(normal, observed).filter(Consensus::is_face)?;
+    let agrees = move |position: &Vec3, b: &SampleBelief| {
+        b.deviation.is_some_and(|(d, sd)| consensus.residual(position, d).abs() <= (0.25 * tolerance).max(3.0 * sd))
+    };
+    let agreeing = seen.iter().filter(|(p, b)| agrees(p, b)).count();
+    (agreeing as f64 >= MAJORITY * seen.len() as f64).then_some(agrees)
 }
 
 /// Standard deviation of the median of `n` samples with this robust spread: 1.2533 σ/√n.
@@ -109,8 +124,8 @@ fn median_sd(spread: f64, n: u64) -> f64 {
 }
 
 /// What the samples share: registration averages out over the stations only, the model not at all.
-fn common_sd(seen: &[SampleBelief], model: &EvidenceModel) -> f64 {
-    let mut stations: Vec<f64> = seen.iter().filter(|s| s.stations > 0).map(|s| f64::from(s.stations)).collect();
+fn common_sd(seen: &[Seen], model: &EvidenceModel) -> f64 {
+    let mut stations: Vec<f64> = seen.iter().filter(|s| s.1.stations > 0).map(|s| f64::from(s.1.stations)).collect();
     let stations = median(&mut stations).unwrap_or(1.0).max(1.0);
     (model.sigma_station / stations.sqrt()).hypot(model.sigma_model)
 }

@@ -7,6 +7,7 @@
 
 mod belief;
 mod collect;
+mod consensus;
 mod crossing;
 mod evidence;
 mod evidence_bytes;

@@ -1,0 +1,85 @@
+//! Model and scans in, verdicts out, checked against what was built.
+
+use asbuilt_client_tests::{Database, project, scratch, shared, text};
+
+/// The demo building, built as demo/changes.json says; always there.
+#[test]
+fn simulated_pavilion() {
+    let db = Database::new("pavilion");
+    let (model, scan) = (project("demo/pavilion.ifc"), scratch("pavilion.e57"));
+    let (stations, changes) = (project("demo/stations.txt"), project("demo/changes.json"));
+    db.asbuilt(&[
+        "simulate", text(&model), "--stations", text(&stations), "--built", text(&changes), "--step-mrad", "6", "--seed",
+        "11", "--out", text(&scan),
+    ]);
+    let said = db.asbuilt(&["load", text(&model), text(&scan)]);
+    assert!(said.contains("13 products read, 13 meshed") && said.contains("4 stations"), "{said}");
+    let v = db.verify(&[]);
+    assert_eq!(v.len(), 13);
+    v.expect(&[
+        ("floor", "confirmed"),
+        ("roof", "confirmed"),
+        ("wall south", "confirmed"),
+        ("wall north", "confirmed"),
+        ("wall west", "confirmed"),
+        ("wall east", "deviating"),
+        ("partition", "confirmed"),
+        ("screen wall", "confirmed"),
+        ("column A", "confirmed"),
+        ("column B", "deviating"),
+        ("column C", "absent"),
+        ("beam", "confirmed"),
+        ("store behind the wall", "unobserved"),
+    ]);
+    let [x, y, z] = v.shift("partition");
+    assert!((x.unwrap() - 0.012).abs() < 0.001 && y.is_none() && z.is_none(), "{x:?} {y:?} {z:?}");
+    db.verify(&["--loa", "LOA40"]).expect(&[("partition", "deviating"), ("wall north", "confirmed")]);
+    std::fs::remove_file(scan).unwrap();
+}
+
+/// The hall beside the project; its truth.json tells what was built.
+#[test]
+fn hall() {
+    let (Some(model), Some(one), Some(two)) =
+        (shared("hall/model.ifc"), shared("hall/epoch1.e57"), shared("hall/epoch2.e57"))
+    else {
+        return;
+    };
+    let db = Database::new("hall");
+    db.asbuilt(&["load", text(&model)]);
+    db.asbuilt(&["load", text(&one), "--epoch", "1"]);
+    db.asbuilt(&["load", text(&two), "--epoch", "2"]);
+    let as_drawn = [
+        "floor", "ceiling", "W-south", "W-north", "W-west", "W-east", "C1", "beam", // in both epochs
+    ];
+    let exact: Vec<(&str, &str)> = as_drawn.iter().map(|n| (*n, "confirmed")).collect();
+    let first = db.verify(&["--epoch", "1", "--loa", "LOA30"]);
+    first.expect(&exact);
+    first.expect(&[("W-stub", "confirmed"), ("C3", "confirmed"), ("C2", "absent"), ("W-mid", "confirmed")]);
+    let second = db.verify(&["--epoch", "2", "--loa", "LOA30"]);
+    second.expect(&exact);
+    second.expect(&[("C2", "confirmed"), ("W-stub", "absent"), ("C3", "deviating"), ("W-mid", "confirmed")]);
+    let [x, y, _] = second.shift("C3");
+    assert!((x.unwrap() - 0.030).hypot(y.unwrap()) < 0.002, "C3 {x:?} {y:?}");
+    for (epoch, verdicts) in [("1", &first), ("2", &second)] {
+        let [x, ..] = verdicts.shift("W-mid");
+        assert!((x.unwrap() - 0.012).abs() < 0.001, "W-mid, epoch {epoch}: {x:?}");
+        db.verify(&["--epoch", epoch, "--loa", "LOA40"]).expect(&[("W-mid", "deviating")]);
+    }
+}
+
+/// A real office, scanned from two positions.
+#[test]
+fn real_room() {
+    let (Some(model), Some(scans)) = (shared("real-room/model.ifc"), shared("real-room/scans.e57")) else { return };
+    let db = Database::new("room");
+    db.asbuilt(&["load", text(&model), text(&scans)]);
+    let v = db.verify(&["--loa", "LOA20"]);
+    for object in ["floor", "ceiling", "wall-west", "wall-south", "wall-north"] {
+        v.expect(&[(object, "confirmed")]);
+        assert!(v.number(object, "confirmed") >= 0.6, "{object}: {}", v.number(object, "confirmed"));
+    }
+    v.expect(&[("partition-planned", "absent"), ("column-planned", "absent"), ("store-next-door", "unobserved")]);
+    // The published ray model runs on it too.
+    assert_eq!(db.verify(&["--loa", "LOA20", "--model", "meyer2022"]).len(), v.len());
+}

@@ -1,0 +1,210 @@
+//! The loader: every format, replacing, and leaving nothing half done.
+
+use std::fs;
+use std::time::Duration;
+
+use asbuilt_client_tests::{Database, project, scratch, shared, text};
+use postgres::Client;
+
+fn count(client: &mut Client, sql: &str) -> i64 {
+    client.query_one(sql, &[]).unwrap().get(0)
+}
+
+const BEAMS: &str = "SELECT coalesce(sum(ab_count(patch)), 0)::bigint FROM scan";
+
+/// A small wall of points in the plane x = 5, as lines `x y z`.
+fn points() -> String {
+    (0..400).map(|i| format!("5.0 {:.3} {:.3}\n", f64::from(i % 20) * 0.02, f64::from(i / 20) * 0.02)).collect()
+}
+
+#[test]
+fn text_formats_with_and_without_origin() {
+    let db = Database::new("formats");
+    let ply = format!("ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\nproperty float z\nend_header\n{}", points());
+    let pcd = format!("# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 400\nHEIGHT 1\nVIEWPOINT 1 0.5 0 1 0 0 0\nPOINTS 400\nDATA ascii\n{}", points());
+    let pts = format!("400\n{}", points());
+    let xyz = format!("# x y z\n{}", points());
+    let mut expected = 0;
+    for (ending, content, has_origin) in [("ply", &ply, false), ("pcd", &pcd, true), ("pts", &pts, false), ("xyz", &xyz, false)] {
+        let file = scratch(&format!("wall.{ending}"));
+        fs::write(&file, content).unwrap();
+        let said = db.asbuilt(&["load", text(&file)]);
+        expected += 400;
+        assert_eq!(said.contains("without scanner position"), !has_origin, "{ending}: {said}");
+        assert_eq!(count(&mut db.connect(), BEAMS), expected, "{ending}");
+    }
+    // With an origin they are a scan; loading again replaces.
+    let file = scratch("wall.xyz");
+    db.asbuilt(&["load", text(&file), "--origin", "0,0,1.5"]);
+    let mut client = db.connect();
+    assert_eq!(count(&mut client, BEAMS), expected);
+    let origins = "SELECT count(*) FROM scan s JOIN station t ON t.id = s.station_id WHERE t.source LIKE '%wall.xyz' AND ab_origin(patch) = '{0,0,1.5}'";
+    assert!(count(&mut client, origins) > 0);
+    // Points are kept to half a quantum.
+    let near = "SELECT count(*) FROM scan WHERE abs((ab_max(ab_point_box(patch)))[1] - 5) <= 0.00005001";
+    assert!(count(&mut client, near) >= 4);
+}
+
+#[test]
+fn las_and_laz() {
+    let db = Database::new("las");
+    for (ending, compressed) in [("las", false), ("laz", true)] {
+        let file = scratch(&format!("points.{ending}"));
+        let mut builder = las::Builder::from((1, 2));
+        builder.point_format.is_compressed = compressed;
+        builder.transforms = las::Vector {
+            x: las::Transform { scale: 1e-4, offset: 6e5 },
+            y: las::Transform { scale: 1e-4, offset: 5.3e6 },
+            z: las::Transform { scale: 1e-4, offset: 0.0 },
+        };
+        let mut writer = las::Writer::from_path(&file, builder.into_header().unwrap()).unwrap();
+        for i in 0..5000 {
+            let point = las::Point { x: 600_005.0, y: 5_300_000.0 + f64::from(i) * 1e-3, z: 1.5, ..Default::default() };
+            writer.write_point(point).unwrap();
+        }
+        writer.close().unwrap();
+        db.asbuilt(&["load", text(&file), "--origin", "600000,5300000,1.5"]);
+        let mut client = db.connect();
+        let row = client.query_one("SELECT sum(ab_count(patch))::bigint, min((ab_min(ab_point_box(patch)))[2]) FROM scan s JOIN station t ON t.id = station_id WHERE source LIKE $1", &[&format!("%.{ending}")]).unwrap();
+        assert_eq!(row.get::<_, i64>(0), 5000, "{ending}");
+        assert!((row.get::<_, f64>(1) - 5_300_000.0).abs() < 6e-5);
+        // Cut short it is refused, and what was there stays.
+        let bytes = fs::read(&file).unwrap();
+        fs::write(&file, &bytes[..bytes.len() / 2]).unwrap();
+        db.asbuilt_fails(&["load", text(&file), "--origin", "600000,5300000,1.5"]);
+        assert_eq!(count(&mut client, "SELECT count(DISTINCT source) FROM station") as usize, if compressed { 2 } else { 1 });
+    }
+}
+
+#[test]
+fn ptx_without_returns() {
+    let db = Database::new("ptx");
+    let (columns, rows) = (40, 30);
+    let mut content = format!("{columns}\n{rows}\n10 20 1\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n10 20 1 1\n");
+    for c in 0..columns {
+        for r in 0..rows {
+            let (az, el) = (f64::from(c) * 0.02, f64::from(r) * 0.02 - 0.3);
+            let hole = (10..15).contains(&c) && (10..15).contains(&r);
+            let d = if hole { 0.0 } else { 5.0 };
+            let p = [d * el.cos() * az.cos(), d * el.cos() * az.sin(), d * el.sin()];
+            content += &format!("{:.6} {:.6} {:.6} 0.5\n", p[0], p[1], p[2]);
+        }
+    }
+    let file = scratch("hole.ptx");
+    fs::write(&file, content).unwrap();
+    db.asbuilt(&["load", text(&file)]);
+    let mut client = db.connect();
+    assert_eq!(count(&mut client, BEAMS), i64::from(columns * rows));
+    assert_eq!(count(&mut client, "SELECT sum(ab_count(patch) - ab_return_count(patch))::bigint FROM scan"), 25);
+    assert!(count(&mut client, "SELECT count(*) FROM scan WHERE ab_origin(patch) = '{10,20,1}'") > 0);
+}
+
+#[test]
+fn wrong_input_is_named_and_leaves_nothing() {
+    let db = Database::new("wrong");
+    let file = |name: &str, content: &str| {
+        let f = scratch(name);
+        fs::write(&f, content).unwrap();
+        f
+    };
+    let model = fs::read_to_string(project("demo/pavilion.ifc")).unwrap();
+    let cases = [
+        (file("empty.xyz", ""), "holds no points"),
+        (file("words.xyz", "1 2 3\n4 5 six\n"), "line 2: three coordinates expected, found \"4 5 six\""),
+        (file("far.xyz", "1e12 0 0\n0 0 0\n"), "finite and within 1e9 m"),
+        (file("short.ptx", "2\n2\n0 0 0\n"), "it ends after line 3, where the first axis should follow"),
+        (file("counts.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nend_header\n"), ""),
+        (file("promise.pcd", "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 9\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 999999999\nDATA binary\n"), "promises"),
+        (file("noise.e57", "this is not E57"), "not a readable E57 file"),
+        (file("noise.las", "this is not LAS"), "not a readable LAS file"),
+        (file("text.ifc", "hello"), "ISO-10303-21"),
+        (file("cut.ifc", &model[..model.len() / 2]), "cut short"),
+        (file("bare.ifc", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n"), "no product"),
+        (file("what.docx", "x"), "unknown kind of file"),
+        (project("no/such/file.e57"), "no such file"),
+    ];
+    for (path, reason) in &cases {
+        let said = db.asbuilt_fails(&["load", text(path)]);
+        assert!(said.contains(reason), "{}: {said}", path.display());
+    }
+    let mut client = db.connect();
+    for table in ["building_object", "station", "scan"] {
+        let there: Option<String> = client.query_one("SELECT to_regclass($1)::text", &[&table]).unwrap().get(0);
+        if there.is_some() {
+            assert_eq!(count(&mut client, &format!("SELECT count(*) FROM {table}")), 0, "{table}");
+        }
+    }
+    let near = db.asbuilt_fails(&["load", text(&file("near.xyz", "0.1 0 0\n")), "--origin", "0,0,0"]);
+    assert!(near.contains("--min-range"), "{near}");
+    db.asbuilt(&["load", text(&project("demo/pavilion.ifc"))]);
+    assert!(db.asbuilt_fails(&["verify", "--epoch", "7"]).contains("no scan of epoch 7"));
+    assert!(db.asbuilt_fails(&["verify", "--loa", "LOA35"]).contains("LOA35"));
+}
+
+/// A file is one transaction: a connection that dies in the middle leaves nothing of it.
+#[test]
+fn a_lost_connection_leaves_nothing() {
+    let db = Database::new("lost");
+    let file = scratch("large.xyz");
+    let line = |i: u32| format!("{:.4} {:.4} {:.4}\n", 5.0 + f64::from(i % 7) * 0.1, f64::from(i % 1000) * 0.01, f64::from(i / 1000) * 0.01);
+    fs::write(&file, (0..600_000).map(line).collect::<String>()).unwrap();
+    let other = Database::new("killer");
+    let mut killer = other.connect();
+    let mut child = db.command(&["load", text(&file), "--origin", "0,0,0"]).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    let kill = "SELECT count(pg_terminate_backend(pid)) FROM pg_stat_activity WHERE datname = $1 AND xact_start IS NOT NULL";
+    let mut killed = 0i64;
+    while killed == 0 && child.try_wait().unwrap().is_none() {
+        killed = killer.query_one(kill, &[&db.name()]).unwrap().get(0);
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let out = child.wait_with_output().unwrap();
+    assert!(killed > 0 && !out.status.success(), "the load was over before its connection could be cut");
+    let mut client = db.connect();
+    let tables: i64 = count(&mut client, "SELECT count(*) FROM pg_class WHERE relname IN ('scan', 'station')");
+    assert!(tables == 0 || count(&mut client, "SELECT count(*) FROM scan") + count(&mut client, "SELECT count(*) FROM station") == 0);
+    // And the next try works.
+    db.asbuilt(&["load", text(&file), "--origin", "0,0,0"]);
+    assert_eq!(count(&mut client, BEAMS), 600_000);
+}
+
+/// The files of other projects' parsers: each loads or is refused with a reason.
+#[test]
+fn parser_cases_of_others() {
+    let Some(dir) = shared("e57-ptx-parser") else { return };
+    let db = Database::new("parsers");
+    let mut files: Vec<_> = fs::read_dir(dir).unwrap().map(|e| e.unwrap().path()).collect();
+    files.retain(|f| f.extension().is_some_and(|e| e == "e57" || e == "ptx"));
+    assert!(files.len() >= 24, "{}", files.len());
+    let mut loaded = 0;
+    for file in &files {
+        let out = db.command(&["load", text(file)]).output().unwrap();
+        let said = String::from_utf8_lossy(&out.stderr);
+        loaded += i32::from(out.status.success());
+        assert!(out.status.success() || said.contains(text(file)), "{}: {said}", file.display());
+        let bad = ["bad-crc", "corrupt_crc", "ZeroPoints", "InvalidCVHeader", "loadersgl_ripple"];
+        let refused = bad.iter().any(|b| text(file).contains(b));
+        assert_eq!(out.status.success(), !refused, "{}: {said}", file.display());
+    }
+    assert!(loaded >= 20, "{loaded}");
+}
+
+/// Real models: every product with a body is meshed or named as missing.
+#[test]
+fn models_of_others() {
+    let Some(dir) = shared("schependomlaan") else { return };
+    let mut files: Vec<_> = fs::read_dir(&dir).unwrap().map(|e| e.unwrap().path()).collect();
+    let more = ["ifc-duplex", "ifc-fzk-haus", "ifc-bimwhale", "ifc-tiny", "geomapi-road"];
+    files.extend(more.iter().filter_map(|d| shared(d)).flat_map(|d| fs::read_dir(d).unwrap().map(|e| e.unwrap().path())));
+    files.retain(|f| f.extension().is_some_and(|e| e == "ifc"));
+    assert!(files.len() >= 14);
+    let db = Database::new("models");
+    for file in &files {
+        let said = db.asbuilt(&["load", text(file)]);
+        let source = file.file_name().unwrap().to_str().unwrap().to_owned();
+        let sql = "SELECT count(*), count(*) FILTER (WHERE solid IS NULL) FROM building_object WHERE source = $1";
+        let row = db.connect().query_one(sql, &[&source]).unwrap();
+        let (all, without): (i64, i64) = (row.get(0), row.get(1));
+        assert!(all > 0, "{source}");
+        assert_eq!(said.matches("  missing: ").count() as i64, without, "{source}: {said}");
+    }
+}
