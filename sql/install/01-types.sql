@@ -72,6 +72,6 @@ COMMENT ON FUNCTION ab_evidence_in(cstring) IS 'Text input of ab_evidence';
 COMMENT ON FUNCTION ab_evidence_out(ab_evidence) IS 'Text output of ab_evidence';
 COMMENT ON FUNCTION ab_evidence_recv(internal) IS 'Binary input of ab_evidence';
 COMMENT ON FUNCTION ab_evidence_send(ab_evidence) IS 'Binary output of ab_evidence';
-CREATE TYPE ab_evidence (INPUT = ab_evidence_in, OUTPUT = ab_evidence_out, RECEIVE = ab_evidence_recv, SEND = ab_evidence_send, INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = extended);
+CREATE TYPE ab_evidence (INPUT = ab_evidence_in, OUTPUT = ab_evidence_out, RECEIVE = ab_evidence_recv, SEND = ab_evidence_send, INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = external);
 COMMENT ON TYPE ab_evidence IS 'What the beams of many stations say about one solid, per sample and station; add up with ab_rollup, ask with ab_summary';
 

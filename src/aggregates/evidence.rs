@@ -17,7 +17,7 @@ enum State {
     /// This worker takes patches.
     Collecting(Box<Collecting>),
     /// Only merges what others collected.
-    Merged(Evidence),
+    Merged(Box<Evidence>),
 }
 
 struct Collecting {
@@ -38,7 +38,7 @@ impl State {
 
     fn merge(&mut self, other: &Evidence) -> Result<()> {
         match self {
-            Self::Empty => *self = Self::Merged(other.clone()),
+            Self::Empty => *self = Self::Merged(Box::new(other.clone())),
             Self::Collecting(c) => c.collector.merge(other)?,
             Self::Merged(e) => e.merge(other)?,
         }
@@ -49,7 +49,7 @@ impl State {
     fn collecting(&mut self, args: &Args) -> Result<&mut Collector> {
         let model = model_arg(args, 3)?;
         if matches!(self, Self::Empty) {
-            let solid = Solid::from_bytes(args.bytes(1))?;
+            let solid = Solid::from_stored(args.bytes(1))?;
             let collector = Collector::new(&solid, model, &interrupt)?;
             *self = Self::Collecting(Box::new(Collecting { collector, raw_solid: args.raw(1).to_vec(), model }));
         }
@@ -68,7 +68,7 @@ impl State {
 
 /// Unequal bytes may still be the same solid, stored differently.
 fn same_solid(collector: &Collector, args: &Args) -> Result<bool> {
-    Ok(collector.evidence().fingerprint() == Solid::from_bytes(args.bytes(1))?.fingerprint())
+    Ok(collector.evidence().fingerprint() == Solid::from_stored(args.bytes(1))?.fingerprint())
 }
 
 fn state(args: &Args, i: usize) -> Result<AggState<State>> {
@@ -90,10 +90,10 @@ sql_functions! {
 
     fn ab_evidence_combine(args) {
         let mut left = state(args, 0)?;
-        if !args.is_null(1) {
-            if let Some(right) = state(args, 1)?.get().evidence() {
-                left.get().merge(right)?;
-            }
+        if !args.is_null(1)
+            && let Some(right) = state(args, 1)?.get().evidence()
+        {
+            left.get().merge(right)?;
         }
         Ok(left.ret())
     }
@@ -106,7 +106,7 @@ sql_functions! {
     fn ab_evidence_deserial(args) {
         let state = match args.bytes(0) {
             [] => State::Empty,
-            bytes => State::Merged(Evidence::from_bytes(bytes)?),
+            bytes => State::Merged(Box::new(Evidence::from_bytes(bytes)?)),
         };
         Ok(deserialised_state(state).ret())
     }

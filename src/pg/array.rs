@@ -36,7 +36,13 @@ pub unsafe fn read<T: Copy>(datum: pg_sys::Datum, what: &'static str) -> Result<
 ///
 /// # Safety
 /// `element` must be the type of elements of length `len` passed by value in `datums`.
-pub unsafe fn write(datums: &mut [pg_sys::Datum], dims: &[i32], element: pg_sys::Oid, len: i32, align: u8) -> pg_sys::Datum {
+pub unsafe fn write(
+    datums: &mut [pg_sys::Datum],
+    dims: &[i32],
+    element: pg_sys::Oid,
+    len: i32,
+    align: u8,
+) -> pg_sys::Datum {
     let mut dims = dims.to_vec();
     let mut lower = vec![1; dims.len()];
     unsafe {

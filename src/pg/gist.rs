@@ -57,7 +57,11 @@ impl Args {
 
     /// `compress`: the entry in argument 0 with its value replaced by `key(prefix of the value)`, where the value
     /// is a leaf's; inner entries stay as they are.
-    pub fn compressed(&self, prefix: usize, key: impl FnOnce(&[u8]) -> asbuilt_core::Result<Vec<u8>>) -> asbuilt_core::Result<Ret> {
+    pub fn compressed(
+        &self,
+        prefix: usize,
+        key: impl FnOnce(&[u8]) -> asbuilt_core::Result<Vec<u8>>,
+    ) -> asbuilt_core::Result<Ret> {
         unsafe {
             let entry: *mut pg_sys::GISTENTRY = self.datum(0).cast_mut_ptr();
             if !(*entry).leafkey {

@@ -118,14 +118,14 @@ impl Rows {
             let fcinfo = args.fcinfo();
             let info = (*fcinfo).resultinfo.cast::<pg_sys::ReturnSetInfo>();
             let materialise = pg_sys::SetFunctionReturnMode::SFRM_Materialize;
-            if info.is_null() || (*info).allowedModes as u32 & materialise as u32 == 0 {
+            if info.is_null() || (*info).allowedModes as u32 & materialise == 0 {
                 return Err(Error::argument("a set-returning function", "in FROM or a select list", "elsewhere"));
             }
             let before = pg_sys::MemoryContextSwitchTo((*(*info).econtext).ecxt_per_query_memory);
             let desc = pg_sys::CreateTupleDescCopy(expected_row(fcinfo));
             let random = pg_sys::SetFunctionReturnMode::SFRM_Materialize_Random;
             let store =
-                pg_sys::tuplestore_begin_heap((*info).allowedModes as u32 & random as u32 != 0, false, pg_sys::work_mem);
+                pg_sys::tuplestore_begin_heap((*info).allowedModes as u32 & random != 0, false, pg_sys::work_mem);
             (*info).returnMode = materialise;
             (*info).setResult = store;
             (*info).setDesc = desc;

@@ -5,7 +5,7 @@ use asbuilt_core::num::text::{from_hex, to_hex};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, Ret, interrupt, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_solid:1:";
@@ -18,7 +18,11 @@ fn header(args: &Args) -> Result<SolidHeader> {
 fn triples<T: Copy>(what: &'static str, dims: &[i32], values: &[T]) -> Result<Vec<[T; 3]>> {
     if dims.len() != 2 || dims[1] != 3 {
         let shape = dims.iter().map(i32::to_string).collect::<Vec<_>>().join("×");
-        return Err(Error::argument(what, "an array of n×3 numbers", if shape.is_empty() { "empty".into() } else { shape }));
+        return Err(Error::argument(
+            what,
+            "an array of n×3 numbers",
+            if shape.is_empty() { "empty".into() } else { shape },
+        ));
     }
     Ok(values.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect())
 }
@@ -33,13 +37,13 @@ fn from_arrays(args: &Args) -> Result<Solid> {
             return Err(Error::TriangleIndex { triangle: t, index: i64::from(i), vertices: vertices.len() });
         }
     }
-    Solid::new(vertices, triangles.into_iter().map(|t| t.map(|i| i as u32)).collect())
+    Solid::interruptible(vertices, triangles.into_iter().map(|t| t.map(|i| i as u32)).collect(), &interrupt)
 }
 
 sql_functions! {
     fn ab_solid_in(args) {
         let bytes = from_hex("ab_solid", PREFIX, &args.cstring(0))?;
-        Ok(Ret::Bytes(Solid::from_bytes(&bytes)?.to_bytes()))
+        Ok(Ret::Bytes(Solid::from_bytes(&bytes, &interrupt)?.to_bytes()))
     }
 
     fn ab_solid_out(args) {
@@ -47,7 +51,7 @@ sql_functions! {
     }
 
     fn ab_solid_recv(args) {
-        Ok(Ret::Bytes(Solid::from_bytes(args.message(0))?.to_bytes()))
+        Ok(Ret::Bytes(Solid::from_bytes(args.message(0), &interrupt)?.to_bytes()))
     }
 
     fn ab_solid_send(args) {
@@ -83,13 +87,13 @@ sql_functions! {
     }
 
     fn ab_solid_vertices(args) {
-        let s = Solid::from_bytes(args.bytes(0))?;
+        let s = Solid::from_stored(args.bytes(0))?;
         let flat = s.vertices().iter().flat_map(|v| [v.x, v.y, v.z]).collect();
         Ok(Ret::F64Array(flat, vec![s.vertices().len() as i32, 3]))
     }
 
     fn ab_solid_triangles(args) {
-        let s = Solid::from_bytes(args.bytes(0))?;
+        let s = Solid::from_stored(args.bytes(0))?;
         let flat = s.triangles().iter().flatten().map(|&i| i as i32).collect();
         Ok(Ret::I32Array(flat, vec![s.triangles().len() as i32, 3]))
     }

@@ -17,7 +17,11 @@ mod stations;
 use clap::{Parser, Subcommand};
 
 #[derive(Parser)]
-#[command(name = "asbuilt", version, about = "Is the building what the model says?", long_about = "\
+#[command(
+    name = "asbuilt",
+    version,
+    about = "Is the building what the model says?",
+    long_about = "\
 Is the building what the model says?
 
 Load a building model (IFC) and laser scans with scanner positions into PostgreSQL, then ask for a verdict on every
@@ -28,7 +32,8 @@ The database is the one psql would reach: PGHOST, PGPORT, PGUSER, PGPASSWORD, PG
 Example:
   asbuilt load model.ifc
   asbuilt load station1.e57 station2.e57 --epoch 2
-  asbuilt verify --epoch 2 --loa LOA30")]
+  asbuilt verify --epoch 2 --loa LOA30"
+)]
 struct Cli {
     #[command(subcommand)]
     command: Command,

@@ -21,12 +21,8 @@ pub struct Packed {
 pub fn pack(scan: &RawScan, station: i64, min_range: f64, mut sink: impl FnMut(&[u8]) -> Result<()>) -> Result<Packed> {
     let keep = |b: &&Beam| !b.returned || scan.world_from_scan.is_none() || b.offset.norm() >= min_range;
     let beams: Vec<Beam> = scan.beams.iter().filter(keep).copied().collect();
-    let mut packed = Packed {
-        beams: 0,
-        no_returns: 0,
-        too_near: (scan.beams.len() - beams.len()) as u64,
-        points: Aabb::EMPTY,
-    };
+    let mut packed =
+        Packed { beams: 0, no_returns: 0, too_near: (scan.beams.len() - beams.len()) as u64, points: Aabb::EMPTY };
     let tiles = if scan.world_from_scan.is_some() { tiles(&beams) } else { clusters(&beams) };
     // In batches, so that the packed patches of a large scan are not all in memory at once.
     for batch in tiles.chunks(256) {

@@ -25,7 +25,15 @@ pub use error::{Error, Result};
 /// Asked now and then by long work; `true` means: stop with [`Error::Interrupted`].
 pub type Interrupt<'a> = &'a dyn Fn() -> bool;
 
+/// An [`Interrupt`] that never says stop.
+pub const NEVER: Interrupt = &|| false;
+
 /// Turns an [`Interrupt`] that says stop into the error that unwinds the work.
 pub(crate) fn poll(interrupt: Interrupt) -> Result<()> {
     if interrupt() { Err(Error::Interrupted) } else { Ok(()) }
+}
+
+/// [`poll`] in every `1024`th round of a loop.
+pub(crate) fn poll_now_and_then(round: usize, interrupt: Interrupt) -> Result<()> {
+    if round.is_multiple_of(1024) { poll(interrupt) } else { Ok(()) }
 }

@@ -42,7 +42,14 @@ fn the_tour_join_uses_the_index_and_keeps_unseen_objects() {
     let (_db, mut client) = scene("tour");
     let shown = plan(&mut client, EVIDENCE);
     assert!(shown.contains("Index") && shown.contains("patch && "), "{shown}");
-    let rows = client.query(&format!("SELECT x.id, s.verdict, s.best_loa::text FROM ({EVIDENCE}) x, LATERAL ab_summary(x.e) s ORDER BY 1"), &[]).unwrap();
+    let rows = client
+        .query(
+            &format!(
+                "SELECT x.id, s.verdict, s.best_loa::text FROM ({EVIDENCE}) x, LATERAL ab_summary(x.e) s ORDER BY 1"
+            ),
+            &[],
+        )
+        .unwrap();
     assert_eq!(rows.len(), 5);
     assert_eq!(rows[0].get::<_, &str>(1), "confirmed");
     assert_eq!(rows[4].get::<_, &str>(1), "unobserved");
@@ -55,8 +62,10 @@ fn workers_do_not_change_a_bit() {
     // One wall, so that the workers share its patches.
     let sql = "SELECT md5(ab_evidence_agg((SELECT solid FROM building_object WHERE id = 2), patch, ab_evidence_model())::text) FROM scan";
     client
-        .batch_execute("SET parallel_setup_cost = 0; SET parallel_tuple_cost = 0; SET min_parallel_table_scan_size = 0;
-            SET enable_indexscan = off; SET enable_bitmapscan = off; ALTER TABLE scan SET (parallel_workers = 2)")
+        .batch_execute(
+            "SET parallel_setup_cost = 0; SET parallel_tuple_cost = 0; SET min_parallel_table_scan_size = 0;
+            SET enable_indexscan = off; SET enable_bitmapscan = off; ALTER TABLE scan SET (parallel_workers = 2)",
+        )
         .unwrap();
     let mut sums = Vec::new();
     for workers in 0..3 {
@@ -72,7 +81,8 @@ fn workers_do_not_change_a_bit() {
 #[test]
 fn long_work_is_cancelled() {
     let (db, mut client) = scene("cancel");
-    let long = "SELECT ab_evidence_agg(ab_solid(ab_box(0, 0, 0, 20, 20, 2)), NULL, ab_evidence_model(spacing => 0.0151))";
+    let long =
+        "SELECT ab_evidence_agg(ab_solid(ab_box(0, 0, 0, 20, 20, 2)), NULL, ab_evidence_model(spacing => 0.0151))";
     let start = Instant::now();
     client.query_one(&format!("SELECT octet_length(ab_evidence_send(({long})))"), &[]).unwrap();
     let whole = start.elapsed();

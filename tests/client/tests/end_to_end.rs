@@ -9,8 +9,18 @@ fn simulated_pavilion() {
     let (model, scan) = (project("demo/pavilion.ifc"), scratch("pavilion.e57"));
     let (stations, changes) = (project("demo/stations.txt"), project("demo/changes.json"));
     db.asbuilt(&[
-        "simulate", text(&model), "--stations", text(&stations), "--built", text(&changes), "--step-mrad", "6", "--seed",
-        "11", "--out", text(&scan),
+        "simulate",
+        text(&model),
+        "--stations",
+        text(&stations),
+        "--built",
+        text(&changes),
+        "--step-mrad",
+        "6",
+        "--seed",
+        "11",
+        "--out",
+        text(&scan),
     ]);
     let said = db.asbuilt(&["load", text(&model), text(&scan)]);
     assert!(said.contains("13 products read, 13 meshed") && said.contains("4 stations"), "{said}");

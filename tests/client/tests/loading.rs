@@ -20,12 +20,20 @@ fn points() -> String {
 #[test]
 fn text_formats_with_and_without_origin() {
     let db = Database::new("formats");
-    let ply = format!("ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\nproperty float z\nend_header\n{}", points());
-    let pcd = format!("# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 400\nHEIGHT 1\nVIEWPOINT 1 0.5 0 1 0 0 0\nPOINTS 400\nDATA ascii\n{}", points());
+    let ply = format!(
+        "ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\nproperty float z\nend_header\n{}",
+        points()
+    );
+    let pcd = format!(
+        "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 400\nHEIGHT 1\nVIEWPOINT 1 0.5 0 1 0 0 0\nPOINTS 400\nDATA ascii\n{}",
+        points()
+    );
     let pts = format!("400\n{}", points());
     let xyz = format!("# x y z\n{}", points());
     let mut expected = 0;
-    for (ending, content, has_origin) in [("ply", &ply, false), ("pcd", &pcd, true), ("pts", &pts, false), ("xyz", &xyz, false)] {
+    for (ending, content, has_origin) in
+        [("ply", &ply, false), ("pcd", &pcd, true), ("pts", &pts, false), ("xyz", &xyz, false)]
+    {
         let file = scratch(&format!("wall.{ending}"));
         fs::write(&file, content).unwrap();
         let said = db.asbuilt(&["load", text(&file)]);
@@ -72,7 +80,10 @@ fn las_and_laz() {
         let bytes = fs::read(&file).unwrap();
         fs::write(&file, &bytes[..bytes.len() / 2]).unwrap();
         db.asbuilt_fails(&["load", text(&file), "--origin", "600000,5300000,1.5"]);
-        assert_eq!(count(&mut client, "SELECT count(DISTINCT source) FROM station") as usize, if compressed { 2 } else { 1 });
+        assert_eq!(
+            count(&mut client, "SELECT count(DISTINCT source) FROM station") as usize,
+            if compressed { 2 } else { 1 }
+        );
     }
 }
 
@@ -80,7 +91,8 @@ fn las_and_laz() {
 fn ptx_without_returns() {
     let db = Database::new("ptx");
     let (columns, rows) = (40, 30);
-    let mut content = format!("{columns}\n{rows}\n10 20 1\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n10 20 1 1\n");
+    let mut content =
+        format!("{columns}\n{rows}\n10 20 1\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n10 20 1 1\n");
     for c in 0..columns {
         for r in 0..rows {
             let (az, el) = (f64::from(c) * 0.02, f64::from(r) * 0.02 - 0.3);
@@ -113,8 +125,20 @@ fn wrong_input_is_named_and_leaves_nothing() {
         (file("words.xyz", "1 2 3\n4 5 six\n"), "line 2: three coordinates expected, found \"4 5 six\""),
         (file("far.xyz", "1e12 0 0\n0 0 0\n"), "finite and within 1e9 m"),
         (file("short.ptx", "2\n2\n0 0 0\n"), "it ends after line 3, where the first axis should follow"),
-        (file("counts.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nend_header\n"), ""),
-        (file("promise.pcd", "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 9\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 999999999\nDATA binary\n"), "promises"),
+        (
+            file(
+                "counts.ply",
+                "ply\nformat binary_little_endian 1.0\nelement vertex 18446744073709551615\nend_header\n",
+            ),
+            "",
+        ),
+        (
+            file(
+                "promise.pcd",
+                "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 9\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 999999999\nDATA binary\n",
+            ),
+            "promises",
+        ),
         (file("noise.e57", "this is not E57"), "not a readable E57 file"),
         (file("noise.las", "this is not LAS"), "not a readable LAS file"),
         (file("text.ifc", "hello"), "ISO-10303-21"),
@@ -146,12 +170,21 @@ fn wrong_input_is_named_and_leaves_nothing() {
 fn a_lost_connection_leaves_nothing() {
     let db = Database::new("lost");
     let file = scratch("large.xyz");
-    let line = |i: u32| format!("{:.4} {:.4} {:.4}\n", 5.0 + f64::from(i % 7) * 0.1, f64::from(i % 1000) * 0.01, f64::from(i / 1000) * 0.01);
+    let line = |i: u32| {
+        format!(
+            "{:.4} {:.4} {:.4}\n",
+            5.0 + f64::from(i % 7) * 0.1,
+            f64::from(i % 1000) * 0.01,
+            f64::from(i / 1000) * 0.01
+        )
+    };
     fs::write(&file, (0..600_000).map(line).collect::<String>()).unwrap();
     let other = Database::new("killer");
     let mut killer = other.connect();
-    let mut child = db.command(&["load", text(&file), "--origin", "0,0,0"]).stderr(std::process::Stdio::piped()).spawn().unwrap();
-    let kill = "SELECT count(pg_terminate_backend(pid)) FROM pg_stat_activity WHERE datname = $1 AND xact_start IS NOT NULL";
+    let mut child =
+        db.command(&["load", text(&file), "--origin", "0,0,0"]).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    let kill =
+        "SELECT count(pg_terminate_backend(pid)) FROM pg_stat_activity WHERE datname = $1 AND xact_start IS NOT NULL";
     let mut killed = 0i64;
     while killed == 0 && child.try_wait().unwrap().is_none() {
         killed = killer.query_one(kill, &[&db.name()]).unwrap().get(0);
@@ -161,7 +194,11 @@ fn a_lost_connection_leaves_nothing() {
     assert!(killed > 0 && !out.status.success(), "the load was over before its connection could be cut");
     let mut client = db.connect();
     let tables: i64 = count(&mut client, "SELECT count(*) FROM pg_class WHERE relname IN ('scan', 'station')");
-    assert!(tables == 0 || count(&mut client, "SELECT count(*) FROM scan") + count(&mut client, "SELECT count(*) FROM station") == 0);
+    assert!(
+        tables == 0
+            || count(&mut client, "SELECT count(*) FROM scan") + count(&mut client, "SELECT count(*) FROM station")
+                == 0
+    );
     // And the next try works.
     db.asbuilt(&["load", text(&file), "--origin", "0,0,0"]);
     assert_eq!(count(&mut client, BEAMS), 600_000);
@@ -194,7 +231,9 @@ fn models_of_others() {
     let Some(dir) = shared("schependomlaan") else { return };
     let mut files: Vec<_> = fs::read_dir(&dir).unwrap().map(|e| e.unwrap().path()).collect();
     let more = ["ifc-duplex", "ifc-fzk-haus", "ifc-bimwhale", "ifc-tiny", "geomapi-road"];
-    files.extend(more.iter().filter_map(|d| shared(d)).flat_map(|d| fs::read_dir(d).unwrap().map(|e| e.unwrap().path())));
+    files.extend(
+        more.iter().filter_map(|d| shared(d)).flat_map(|d| fs::read_dir(d).unwrap().map(|e| e.unwrap().path())),
+    );
     files.retain(|f| f.extension().is_some_and(|e| e == "ifc"));
     assert!(files.len() >= 14);
     let db = Database::new("models");

@@ -156,8 +156,12 @@ fn properties(p: &ifc::Product) -> Value {
 
 fn report_model(source: &str, model: &ifc::Model, meshed: usize, twice: usize, open: &[String], bounds: &Aabb) {
     let parts = model.products.iter().filter(|p| p.part_of.is_some()).count();
-    eprintln!("{source}: {} products read, {meshed} meshed, {} open surfaces, {parts} parts of others, {} missing",
-        model.products.len(), open.len(), model.unmeshed.len());
+    eprintln!(
+        "{source}: {} products read, {meshed} meshed, {} open surfaces, {parts} parts of others, {} missing",
+        model.products.len(),
+        open.len(),
+        model.unmeshed.len()
+    );
     eprintln!("  box {}", bounds.to_text());
     list("open surface (area and verdict, no volume)", open);
     let missing: Vec<String> = model.unmeshed.iter().map(|(name, why)| format!("{name}: {why}")).collect();
@@ -203,12 +207,20 @@ fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
     }
     eprintln!(
         "{source}: epoch {}, {} stations, {} beams, {} without return, {} too near (< {} m) dropped",
-        args.epoch, total.stations, count(total.beams), count(total.no_returns), count(total.too_near), args.min_range
+        args.epoch,
+        total.stations,
+        count(total.beams),
+        count(total.no_returns),
+        count(total.too_near),
+        args.min_range
     );
     eprintln!("  box {}", total.points.to_text());
     if total.without_origin > 0 {
-        eprintln!("  warning: {} of them without scanner position: their points can say what is occupied, never what is \
-            empty; give --origin x,y,z if they were scanned from one place", total.without_origin);
+        eprintln!(
+            "  warning: {} of them without scanner position: their points can say what is occupied, never what is \
+            empty; give --origin x,y,z if they were scanned from one place",
+            total.without_origin
+        );
     }
     Ok(())
 }
@@ -263,7 +275,9 @@ fn warn_apart(client: &mut Client, epoch: i32) -> Result<()> {
         EXISTS (SELECT FROM building_object o JOIN scan s ON s.epoch = $1 AND s.patch && o.solid)";
     let row = client.query_one(question, &[&epoch]).map_err(explain)?;
     if row.get::<_, bool>(0) && row.get::<_, bool>(1) && !row.get::<_, bool>(2) {
-        eprintln!("warning: no beam of epoch {epoch} comes near any object: are model and scans in the same coordinate system?");
+        eprintln!(
+            "warning: no beam of epoch {epoch} comes near any object: are model and scans in the same coordinate system?"
+        );
     }
     Ok(())
 }

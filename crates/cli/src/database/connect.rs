@@ -25,44 +25,46 @@ impl DatabaseArgs {
             }
         });
         let place = format!("{:?} as {}", config.get_hosts(), config.get_user().unwrap_or("the system's user"));
-        config
-            .connect(NoTls)
-            .map_err(explain)
-            .with_context(|| format!("cannot connect to PostgreSQL at {place}; set PGHOST, PGUSER, PGDATABASE or give --db URL"))
+        config.connect(NoTls).map_err(explain).with_context(|| {
+            format!("cannot connect to PostgreSQL at {place}; set PGHOST, PGUSER, PGDATABASE or give --db URL")
+        })
     }
 }
 
 fn config(text: &str) -> Result<Config> {
     let var = |name: &str| env::var(name).ok().filter(|v| !v.is_empty());
-    let mut c: Config = text.parse().map_err(explain).with_context(|| format!("--db \"{text}\" is no connection URL"))?;
+    let mut c: Config =
+        text.parse().map_err(explain).with_context(|| format!("--db \"{text}\" is no connection URL"))?;
     if c.get_hosts().is_empty() && c.get_hostaddrs().is_empty() {
         c.host(var("PGHOST").as_deref().unwrap_or("/var/run/postgresql"));
     }
-    if c.get_ports().is_empty() {
-        if let Some(port) = var("PGPORT") {
-            c.port(port.parse().with_context(|| format!("PGPORT \"{port}\" is no port number"))?);
-        }
+    if c.get_ports().is_empty()
+        && let Some(port) = var("PGPORT")
+    {
+        c.port(port.parse().with_context(|| format!("PGPORT \"{port}\" is no port number"))?);
     }
-    if c.get_user().is_none() {
-        if let Some(user) = var("PGUSER") {
-            c.user(&user);
-        }
+    if c.get_user().is_none()
+        && let Some(user) = var("PGUSER")
+    {
+        c.user(&user);
     }
-    if c.get_password().is_none() {
-        if let Some(password) = var("PGPASSWORD") {
-            c.password(password);
-        }
+    if c.get_password().is_none()
+        && let Some(password) = var("PGPASSWORD")
+    {
+        c.password(password);
     }
-    if c.get_dbname().is_none() {
-        if let Some(name) = var("PGDATABASE") {
-            c.dbname(&name);
-        }
+    if c.get_dbname().is_none()
+        && let Some(name) = var("PGDATABASE")
+    {
+        c.dbname(&name);
     }
     if let (false, Some(mode)) = (text.contains("sslmode"), var("PGSSLMODE")) {
         match mode.as_str() {
             "disable" => c.ssl_mode(SslMode::Disable),
             "prefer" | "allow" => &mut c,
-            _ => bail!("PGSSLMODE={mode} asks for TLS, which this program cannot do yet; tunnel the connection (ssh -L)"),
+            _ => {
+                bail!("PGSSLMODE={mode} asks for TLS, which this program cannot do yet; tunnel the connection (ssh -L)")
+            }
         };
     }
     Ok(c)

@@ -26,7 +26,8 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
         check(cloud, length)?;
         let mut scan = read_cloud(&mut file, cloud, options, bar)?;
         points += scan.beams.len();
-        scan.name = cloud.name.clone().filter(|n| !n.is_empty()).unwrap_or_else(|| format!("{} #{}", stem(path), i + 1));
+        scan.name =
+            cloud.name.clone().filter(|n| !n.is_empty()).unwrap_or_else(|| format!("{} #{}", stem(path), i + 1));
         sink(scan)?;
     }
     if points == 0 {
@@ -70,8 +71,7 @@ fn read_cloud(
     bar: &ProgressBar,
 ) -> Result<RawScan> {
     let pose = cloud.transform.clone();
-    let has_origin =
-        options.origin.is_some() || pose.is_some() || cloud.has_row_column() || cloud.has_spherical();
+    let has_origin = options.origin.is_some() || pose.is_some() || cloud.has_row_column() || cloud.has_spherical();
     let pose = pose.unwrap_or_default();
     let q = Quaternion::new(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
     let scanner = Vec3::new(pose.translation.x, pose.translation.y, pose.translation.z);
@@ -154,6 +154,7 @@ fn move_anchor(scan: &mut RawScan, origin: Option<Vec3>, has_origin: bool) {
 }
 
 fn sensor(cloud: &PointCloud) -> Option<String> {
-    let words: Vec<&str> = [&cloud.sensor_vendor, &cloud.sensor_model].into_iter().flatten().map(String::as_str).collect();
+    let words: Vec<&str> =
+        [&cloud.sensor_vendor, &cloud.sensor_model].into_iter().flatten().map(String::as_str).collect();
     (!words.is_empty()).then(|| words.join(" "))
 }

@@ -73,10 +73,8 @@ impl Fit {
         let known: Vec<f64> = self.elevations.iter().flatten().copied().collect();
         let steps = known.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|s| *s > 0.0 && *s < PI / 8.0);
         let Some(step) = median(&mut steps.collect::<Vec<_>>()) else { return false };
-        let mut errors: Vec<f64> = cells
-            .iter()
-            .filter_map(|c| Some((self.direction(c)? - c.point?.try_normalize(1e-9)?).norm()))
-            .collect();
+        let mut errors: Vec<f64> =
+            cells.iter().filter_map(|c| Some((self.direction(c)? - c.point?.try_normalize(1e-9)?).norm())).collect();
         median(&mut errors).is_some_and(|e| e <= 0.5 * step)
     }
 }

@@ -95,7 +95,12 @@ fn least_size(data_type: &PropertyType, encoding: Encoding) -> u128 {
     }
 }
 
-fn vertices(reader: &mut Reader<BufReader<File>>, e: &ElementDef, encoding: Encoding, bar: &ProgressBar) -> Result<Vec<Vec3>> {
+fn vertices(
+    reader: &mut Reader<BufReader<File>>,
+    e: &ElementDef,
+    encoding: Encoding,
+    bar: &ProgressBar,
+) -> Result<Vec<Vec3>> {
     let parser = Parser::<Vertex>::new();
     let at = |name: &str| e.properties.get_index_of(name).ok_or_else(|| anyhow!("its vertices have no {name}"));
     let places = [at("x")?, at("y")?, at("z")?];
@@ -124,7 +129,8 @@ fn ascii(reader: &mut impl BufRead, places: [usize; 3]) -> Result<[f64; 3]> {
     let mut out = [0.0; 3];
     for (slot, place) in out.iter_mut().zip(places) {
         let word = words.get(place).copied().unwrap_or("");
-        [*slot] = numbers::<1>(word).ok_or_else(|| anyhow!("\"{}\" has no number at place {}", line.trim(), place + 1))?;
+        [*slot] =
+            numbers::<1>(word).ok_or_else(|| anyhow!("\"{}\" has no number at place {}", line.trim(), place + 1))?;
     }
     Ok(out)
 }

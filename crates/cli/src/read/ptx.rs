@@ -18,7 +18,7 @@ pub fn read(path: &Path, bar: &ProgressBar, sink: Sink) -> Result<()> {
     let mut number = 0;
     while let Some(columns) = next_count(&mut lines)? {
         let rows = lines.numbers::<1>("the number of rows")?[0];
-        if !(rows >= 1.0 && rows <= 1e6 && columns * rows <= 4e9) {
+        if !((1.0..=1e6).contains(&rows) && columns * rows <= 4e9) {
             bail!("line {}: {columns}×{rows} is no scan grid", lines.number());
         }
         number += 1;
@@ -45,7 +45,7 @@ fn next_count(lines: &mut Lines) -> Result<Option<f64>> {
         }
         let found = line.to_owned();
         return match numbers::<1>(&found) {
-            Some([n]) if n >= 1.0 && n <= 1e6 && n.fract() == 0.0 => Ok(Some(n)),
+            Some([n]) if (1.0..=1e6).contains(&n) && n.fract() == 0.0 => Ok(Some(n)),
             _ => bail!("line {}: the number of columns of a scan expected, found \"{found}\"", lines.number()),
         };
     }

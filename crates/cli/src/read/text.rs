@@ -33,7 +33,7 @@ impl<'a> Lines<'a> {
             return Ok(None);
         }
         self.number += 1;
-        if self.number % 4096 == 0 {
+        if self.number.is_multiple_of(4096) {
             self.bar.inc(4096 * read as u64);
         }
         if read == LONGEST {

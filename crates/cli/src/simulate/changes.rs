@@ -67,8 +67,11 @@ impl Changes {
     pub fn read(path: &Path) -> Result<Self> {
         let text = std::fs::read_to_string(path).with_context(|| format!("{}: cannot read it", path.display()))?;
         serde_json::from_str(&text).with_context(|| {
-            format!("{}: expected {{\"objects\": {{\"NAME\": {{\"shift\": [x,y,z], \"tilt_deg\": d, \"missing\": true}}}}, \
-                \"added\": [{{\"name\": …, \"min\": [x,y,z], \"max\": [x,y,z]}}]}}", path.display())
+            format!(
+                "{}: expected {{\"objects\": {{\"NAME\": {{\"shift\": [x,y,z], \"tilt_deg\": d, \"missing\": true}}}}, \
+                \"added\": [{{\"name\": …, \"min\": [x,y,z], \"max\": [x,y,z]}}]}}",
+                path.display()
+            )
         })
     }
 

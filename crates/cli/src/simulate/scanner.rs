@@ -70,7 +70,15 @@ impl Scanner {
         SimulatedScan { shots, rows, columns, heading, registered }
     }
 
-    fn column(&self, scene: &Scene, station: &Vec3, heading: f64, column: u32, rows: u32, rng: &mut ChaCha8Rng) -> Vec<Shot> {
+    fn column(
+        &self,
+        scene: &Scene,
+        station: &Vec3,
+        heading: f64,
+        column: u32,
+        rows: u32,
+        rng: &mut ChaCha8Rng,
+    ) -> Vec<Shot> {
         (0..rows)
             .map(|row| {
                 let azimuth = (f64::from(column) + 0.5) * self.step;

@@ -5,9 +5,7 @@ use std::io::{BufWriter, Cursor, Write};
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use e57::{
-    E57Writer, Quaternion, Record, RecordDataType, RecordName, RecordValue, Transform, Translation,
-};
+use e57::{E57Writer, Quaternion, Record, RecordDataType, RecordName, RecordValue, Transform, Translation};
 
 use super::scanner::SimulatedScan;
 
@@ -44,7 +42,9 @@ pub fn write_e57(path: &Path, scans: &[SimulatedScan]) -> Result<()> {
     writer.finalize()?;
     drop(writer);
     let mut file = BufWriter::new(File::create(path).with_context(|| format!("{}: cannot write", path.display()))?);
-    file.write_all(memory.get_ref()).and_then(|()| file.flush()).with_context(|| format!("{}: cannot write", path.display()))
+    file.write_all(memory.get_ref())
+        .and_then(|()| file.flush())
+        .with_context(|| format!("{}: cannot write", path.display()))
 }
 
 fn prototype(scan: &SimulatedScan) -> Vec<Record> {

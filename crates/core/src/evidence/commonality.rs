@@ -31,7 +31,7 @@ impl LogCommonality {
     /// The combined, normalised mass; `None` in total conflict.
     pub fn mass(&self) -> Option<Mass> {
         let top = self.occupied.max(self.empty);
-        if !(top > f64::NEG_INFINITY) {
+        if top.is_nan() || top == f64::NEG_INFINITY {
             return None;
         }
         let (qo, qe, qu) = ((self.occupied - top).exp(), (self.empty - top).exp(), (self.unknown - top).exp());

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::{Aabb, Vec3};
+use crate::{Interrupt, Result, poll_now_and_then};
 
 /// How well a triangle mesh encloses space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -37,10 +38,15 @@ impl Closedness {
 /// No border: closed. Otherwise the border may still cancel piecewise along its lines (T-junctions). A chain of
 /// segments that cancels has vanishing moments ∮ xᵢ dx and ∮ xᵢxⱼ dx; the first are the area vector, the second
 /// tell apart such pairs as two parallel plates, whose area vectors cancel although a gap is left.
-pub fn closedness(vertices: &[Vec3], welded: &[u32], triangles: &[[u32; 3]]) -> Closedness {
-    let border = border_edges(welded, triangles);
+pub fn closedness(
+    vertices: &[Vec3],
+    welded: &[u32],
+    triangles: &[[u32; 3]],
+    interrupt: Interrupt,
+) -> Result<Closedness> {
+    let border = border_edges(welded, triangles, interrupt)?;
     if border.is_empty() {
-        return Closedness::Closed;
+        return Ok(Closedness::Closed);
     }
     let bounds = Aabb::around(border.iter().flat_map(|(a, b)| [&vertices[*a as usize], &vertices[*b as usize]]));
     let scale = 0.5 * bounds.diagonal();
@@ -65,16 +71,17 @@ pub fn closedness(vertices: &[Vec3], welded: &[u32], triangles: &[[u32; 3]]) -> 
     let vanishes = |m: &nalgebra::Matrix3<f64>| m.amax() <= tolerance;
     // The symmetric part of ∮ x dxᵀ is exact and always 0; what counts is the area vector.
     if vanishes(&(first - first.transpose())) && second.iter().all(vanishes) {
-        Closedness::TJunctions
+        Ok(Closedness::TJunctions)
     } else {
-        Closedness::Open
+        Ok(Closedness::Open)
     }
 }
 
 /// Directed edges that no reverse cancels, each as often as it is left over.
-fn border_edges(welded: &[u32], triangles: &[[u32; 3]]) -> Vec<(u32, u32)> {
+fn border_edges(welded: &[u32], triangles: &[[u32; 3]], interrupt: Interrupt) -> Result<Vec<(u32, u32)>> {
     let mut balance: HashMap<(u32, u32), i32> = HashMap::with_capacity(triangles.len() * 2);
-    for t in triangles {
+    for (i, t) in triangles.iter().enumerate() {
+        poll_now_and_then(i, interrupt)?;
         for k in 0..3 {
             let (a, b) = (welded[t[k] as usize], welded[t[(k + 1) % 3] as usize]);
             if a != b {
@@ -90,26 +97,31 @@ fn border_edges(welded: &[u32], triangles: &[[u32; 3]]) -> Vec<(u32, u32)> {
         })
         .collect();
     left.sort_unstable();
-    left
+    Ok(left)
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::weld::weld;
     use super::*;
+    use crate::NEVER;
     use crate::geometry::Solid;
 
     fn judge(vertices: &[[f64; 3]], triangles: &[[u32; 3]]) -> Closedness {
         let v: Vec<Vec3> = vertices.iter().map(|p| Vec3::from(*p)).collect();
-        closedness(&v, &weld(&v), triangles)
+        judge_solid(&v, triangles)
+    }
+
+    fn judge_solid(v: &[Vec3], triangles: &[[u32; 3]]) -> Closedness {
+        closedness(v, &weld(v, NEVER).unwrap(), triangles, NEVER).unwrap()
     }
 
     #[test]
     fn cube_is_closed_and_without_a_face_open() {
         let cube = Solid::cuboid([0.0; 3], [1.0, 2.0, 3.0]).unwrap();
         let v: Vec<Vec3> = cube.vertices().to_vec();
-        assert_eq!(closedness(&v, &weld(&v), cube.triangles()), Closedness::Closed);
-        assert_eq!(closedness(&v, &weld(&v), &cube.triangles()[2..]), Closedness::Open);
+        assert_eq!(judge_solid(&v, cube.triangles()), Closedness::Closed);
+        assert_eq!(judge_solid(&v, &cube.triangles()[2..]), Closedness::Open);
     }
 
     #[test]

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::weld::weld;
 use super::{Solid, Vec3};
+use crate::{Interrupt, Result, poll_now_and_then};
 
 /// Triangles whose normals differ by no more than this from the first one's may share its face.
 const MAX_TURN_COS: f64 = 0.990_268_068_741_570; // cos 8°
@@ -26,16 +27,17 @@ impl Faces {
 
 /// Groups triangles into nearly plane faces: grows each over shared edges, largest triangles first, then joins
 /// faces of one plane (both sides of a door, tops of many parts).
-pub fn group_faces(solid: &Solid) -> Faces {
+pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
     let planes: Vec<Option<Plane>> = (0..solid.triangles().len()).map(|t| Plane::of(solid, t)).collect();
-    let neighbours = neighbours(solid);
+    let neighbours = neighbours(solid, interrupt)?;
     let mut order: Vec<usize> = (0..planes.len()).filter(|&t| planes[t].is_some()).collect();
     order.sort_by(|&a, &b| area(&planes, b).total_cmp(&area(&planes, a)).then(a.cmp(&b)));
 
     let mut faces = Faces { of_triangle: vec![Faces::NONE; planes.len()], normals: Vec::new() };
     let mut by_plane: HashMap<[i64; 4], u32> = HashMap::new();
     let centre = solid.bounds().centre();
-    for seed in order {
+    for (round, seed) in order.into_iter().enumerate() {
+        poll_now_and_then(round, interrupt)?;
         let Some(plane) = planes[seed] else { continue };
         if faces.of_triangle[seed] != Faces::NONE {
             continue;
@@ -59,7 +61,7 @@ pub fn group_faces(solid: &Solid) -> Faces {
             }
         }
     }
-    faces
+    Ok(faces)
 }
 
 #[derive(Clone, Copy)]
@@ -89,10 +91,11 @@ fn area(planes: &[Option<Plane>], t: usize) -> f64 {
     planes[t].map_or(0.0, |p| p.area)
 }
 
-fn neighbours(solid: &Solid) -> Vec<Vec<usize>> {
-    let welded = weld(solid.vertices());
+fn neighbours(solid: &Solid, interrupt: Interrupt) -> Result<Vec<Vec<usize>>> {
+    let welded = weld(solid.vertices(), interrupt)?;
     let mut users: HashMap<(u32, u32), Vec<usize>> = HashMap::new();
     for (t, tri) in solid.triangles().iter().enumerate() {
+        poll_now_and_then(t, interrupt)?;
         for k in 0..3 {
             let (a, b) = (welded[tri[k] as usize], welded[tri[(k + 1) % 3] as usize]);
             users.entry((a.min(b), a.max(b))).or_default().push(t);
@@ -106,17 +109,18 @@ fn neighbours(solid: &Solid) -> Vec<Vec<usize>> {
         }
     }
     out.iter_mut().for_each(|n: &mut Vec<usize>| n.sort_unstable());
-    out
+    Ok(out)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::NEVER;
 
     #[test]
     fn cuboid_has_six_faces() {
         let cube = Solid::cuboid([0.0; 3], [1.0, 2.0, 3.0]).unwrap();
-        let faces = group_faces(&cube);
+        let faces = group_faces(&cube, NEVER).unwrap();
         assert_eq!(faces.normals.len(), 6);
         for (t, &f) in faces.of_triangle.iter().enumerate() {
             let [a, b, c] = cube.corners(t);
@@ -128,7 +132,7 @@ mod tests {
     #[test]
     fn coarse_cylinder_keeps_its_facets_and_fine_one_joins_some() {
         for (sections, at_least, at_most) in [(16, 18, 18), (128, 20, 100)] {
-            let n = group_faces(&Solid::cylinder([0.0; 3], 0.2, 3.0, sections).unwrap()).normals.len();
+            let n = group_faces(&Solid::cylinder([0.0; 3], 0.2, 3.0, sections).unwrap(), NEVER).unwrap().normals.len();
             assert!((at_least..=at_most).contains(&n), "{sections}: {n}");
         }
     }

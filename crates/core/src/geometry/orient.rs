@@ -4,6 +4,7 @@ use std::collections::{HashMap, VecDeque};
 
 use super::Vec3;
 use super::weld::weld;
+use crate::NEVER;
 
 /// Turns triangles so that neighbours agree across every edge that exactly two share, and so that each
 /// connected part encloses a positive volume. Returns how many triangles were turned.
@@ -11,7 +12,7 @@ use super::weld::weld;
 /// For meshes whose orientation the modeller or an opening cut spoilt; a part that is a cavity is turned too,
 /// so use it only where the mesh is not closed as it stands.
 pub fn orient(vertices: &[Vec3], triangles: &mut [[u32; 3]]) -> usize {
-    let welded = weld(vertices);
+    let Ok(welded) = weld(vertices, NEVER) else { return 0 };
     let neighbours = neighbours_by_edge(&welded, triangles);
     let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
     let mut count = 0;

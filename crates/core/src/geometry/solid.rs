@@ -5,6 +5,7 @@ use super::weld::weld;
 use super::{Aabb, Closedness, Vec3};
 use crate::error::{Error, Result};
 use crate::num::bytes::{Put, Reader};
+use crate::{Interrupt, NEVER};
 
 const TY: &str = "ab_solid";
 
@@ -31,10 +32,16 @@ impl Solid {
     pub const MAX_ELEMENTS: usize = 20_000_000;
 
     /// Checks and measures a mesh. A closed mesh that is inside out is turned.
-    pub fn new(vertices: Vec<Vec3>, mut triangles: Vec<[u32; 3]>) -> Result<Self> {
+    pub fn new(vertices: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Self> {
+        Self::interruptible(vertices, triangles, NEVER)
+    }
+
+    /// [`Solid::new`] for meshes of any size: asks `interrupt` now and then.
+    pub fn interruptible(vertices: Vec<Vec3>, mut triangles: Vec<[u32; 3]>, interrupt: Interrupt) -> Result<Self> {
         check(&vertices, &triangles)?;
         let bounds = Aabb::around(&vertices);
-        let closedness = closedness(&vertices, &weld(&vertices), &triangles);
+        let welded = weld(&vertices, interrupt)?;
+        let closedness = closedness(&vertices, &welded, &triangles, interrupt)?;
         let centre = bounds.centre();
         let (mut area, mut six_volume) = (0.0, 0.0);
         for t in &triangles {
@@ -146,7 +153,20 @@ impl Solid {
     }
 
     /// Reads foreign bytes: everything that can be derived is derived anew, so nothing in them is trusted.
-    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+    pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
+        let (vertices, triangles) = Self::mesh_of(bytes)?;
+        Self::interruptible(vertices, triangles, interrupt)
+    }
+
+    /// Reads bytes that this database wrote: the mesh is checked, what the header says of it is taken.
+    pub fn from_stored(bytes: &[u8]) -> Result<Self> {
+        let (vertices, triangles) = Self::mesh_of(bytes)?;
+        check(&vertices, &triangles)?;
+        let SolidHeader { bounds, area, volume, closedness, .. } = Self::header(bytes)?;
+        Ok(Self { vertices, triangles, bounds, area, volume, closedness })
+    }
+
+    fn mesh_of(bytes: &[u8]) -> Result<(Vec<Vec3>, Vec<[u32; 3]>)> {
         let (mut r, n_vertices, n_triangles, checksum) = Self::open(bytes)?;
         r.take(Self::HEADER_LEN - 16)?;
         if r.remaining() as u64 != 24 * n_vertices as u64 + 12 * n_triangles as u64 {
@@ -158,7 +178,7 @@ impl Solid {
         }
         let vertices = (0..n_vertices).map(|_| r.vec3()).collect::<Result<_>>()?;
         let triangles = (0..n_triangles).map(|_| Ok([r.u32()?, r.u32()?, r.u32()?])).collect::<Result<Vec<_>>>()?;
-        Self::new(vertices, triangles)
+        Ok((vertices, triangles))
     }
 
     /// Box, area, volume and closedness from the first [`Solid::HEADER_LEN`] bytes alone.
@@ -213,7 +233,7 @@ fn check(vertices: &[Vec3], triangles: &[[u32; 3]]) -> Result<()> {
             limit: Solid::MAX_ELEMENTS.to_string(),
         });
     }
-    if let Some(x) = vertices.iter().flatten().find(|x| !(x.abs() <= 1e9)) {
+    if let Some(x) = vertices.iter().flatten().find(|x| !(-1e9..=1e9).contains(*x)) {
         return Err(Error::argument("a vertex coordinate", "finite and within 1e9 m", x));
     }
     for (t, tri) in triangles.iter().enumerate() {
@@ -248,7 +268,8 @@ mod tests {
     fn bytes_round_trip_and_header_agrees() {
         let s = Solid::cylinder([1.0, 2.0, 3.0], 0.2, 3.0, 24).unwrap();
         let bytes = s.to_bytes();
-        assert_eq!(Solid::from_bytes(&bytes).unwrap(), s);
+        assert_eq!(Solid::from_bytes(&bytes, NEVER).unwrap(), s);
+        assert_eq!(Solid::from_stored(&bytes).unwrap(), s);
         let h = Solid::header(&bytes[..Solid::HEADER_LEN]).unwrap();
         assert_eq!((h.bounds, h.area, h.closedness), (s.bounds, s.area, s.closedness));
     }
@@ -275,7 +296,8 @@ mod tests {
                 bytes[at % n] ^= x;
             }
             bytes.truncate(bytes.len().saturating_sub(cut % 50));
-            let _ = Solid::from_bytes(&bytes);
+            let _ = Solid::from_bytes(&bytes, NEVER);
+            let _ = Solid::from_stored(&bytes);
             let _ = Solid::header(&bytes);
         }
     }

@@ -3,24 +3,26 @@
 use std::collections::HashMap;
 
 use super::Vec3;
+use crate::{Interrupt, Result, poll_now_and_then};
 
 /// Vertices nearer than this are one vertex: modellers repeat them per face, rounded to single precision.
 const WELD_M: f64 = 1e-5;
 
 /// For each vertex the number of the first vertex at the same place (within 10 µm).
-pub fn weld(vertices: &[Vec3]) -> Vec<u32> {
+pub fn weld(vertices: &[Vec3], interrupt: Interrupt) -> Result<Vec<u32>> {
     let cell = |v: &Vec3| [0, 1, 2].map(|i| (v[i] / WELD_M).floor() as i64);
     let mut first_in_cell: HashMap<[i64; 3], u32> = HashMap::with_capacity(vertices.len());
     vertices
         .iter()
         .enumerate()
         .map(|(i, v)| {
+            poll_now_and_then(i, interrupt)?;
             let c = cell(v);
             let near = neighbours(c, v).find_map(|k| {
                 let &j = first_in_cell.get(&k)?;
                 ((vertices[j as usize] - v).norm() <= WELD_M).then_some(j)
             });
-            near.unwrap_or_else(|| *first_in_cell.entry(c).or_insert(i as u32))
+            Ok(near.unwrap_or_else(|| *first_in_cell.entry(c).or_insert(i as u32)))
         })
         .collect()
 }
@@ -34,13 +36,14 @@ fn neighbours(c: [i64; 3], v: &Vec3) -> impl Iterator<Item = [i64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::NEVER;
 
     #[test]
     fn near_vertices_are_one_wherever_the_cell_borders_lie() {
         for shift in 0..50 {
             let x = 1.0 + shift as f64 * 1e-6;
             let v = [Vec3::new(x, 0.0, 0.0), Vec3::new(x + 3e-6, -2e-6, 1e-6), Vec3::new(x + 1e-3, 0.0, 0.0)];
-            assert_eq!(weld(&v), [0, 0, 2], "{shift}");
+            assert_eq!(weld(&v, NEVER).unwrap(), [0, 0, 2], "{shift}");
         }
     }
 }

@@ -122,7 +122,7 @@ fn check(origin: &Vec3, step: f64, quantum: f64, beams: &[Beam]) -> Result<()> {
         return Err(Error::argument("the quantum", "between 1e-9 and 1 m", quantum));
     }
     let coordinates = origin.iter().chain(beams.iter().flat_map(|b| b.offset.iter()));
-    match coordinates.into_iter().find(|x| !(x.abs() <= 1e9)) {
+    match coordinates.into_iter().find(|x| !(-1e9..=1e9).contains(*x)) {
         Some(x) => Err(Error::argument("a scan coordinate", "finite and within 1e9 m", x)),
         None => Ok(()),
     }

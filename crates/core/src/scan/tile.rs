@@ -36,15 +36,18 @@ pub fn mean_step(beams: &[Beam]) -> f64 {
     let directions: Vec<Vec3> = beams.iter().filter_map(|b| b.offset.try_normalize(1e-12)).collect();
     let cone = Cone::around(&directions);
     let basis = cone.basis();
-    let image: Vec<[f64; 2]> = directions.iter().map(|d| basis.map(|b| d.dot(&b) / d.dot(&cone.axis).max(0.1))).collect();
+    let image: Vec<[f64; 2]> =
+        directions.iter().map(|d| basis.map(|b| d.dot(&b) / d.dot(&cone.axis).max(0.1))).collect();
     let side = |k: usize| {
         let (lo, hi) = image.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p[k]), h.max(p[k])));
         (lo, (hi - lo).max(1e-6))
     };
     let sides = [side(0), side(1)];
     let cells = ((image.len() as f64 / 4.0).sqrt().floor()).max(1.0);
-    let occupied: HashSet<[u64; 2]> =
-        image.iter().map(|p| [0, 1].map(|k| ((p[k] - sides[k].0) / sides[k].1 * cells).min(cells - 0.5) as u64)).collect();
+    let occupied: HashSet<[u64; 2]> = image
+        .iter()
+        .map(|p| [0, 1].map(|k| ((p[k] - sides[k].0) / sides[k].1 * cells).min(cells - 0.5) as u64))
+        .collect();
     let area = sides[0].1 * sides[1].1 * occupied.len() as f64 / (cells * cells);
     (area / image.len().max(1) as f64).sqrt().max(1e-6)
 }
@@ -58,7 +61,7 @@ struct Place {
 fn cube_map(v: &Vec3) -> Option<(usize, [f64; 2])> {
     let axis = v.iamax();
     let top = v[axis].abs();
-    if !(top > 1e-9) {
+    if top.is_nan() || top <= 1e-9 {
         return None;
     }
     let face = 2 * axis + usize::from(v[axis] < 0.0);

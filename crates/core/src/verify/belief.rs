@@ -156,10 +156,11 @@ impl Accumulator {
             deviation,
             beams: self.beams,
             stations: self.stations,
-            seen: 1.0 - self.not_covered >= match model.kind {
-                ModelKind::Surface => model.confidence,
-                ModelKind::Meyer2022 => SEEN_BY_RAYS,
-            },
+            seen: 1.0 - self.not_covered
+                >= match model.kind {
+                    ModelKind::Surface => model.confidence,
+                    ModelKind::Meyer2022 => SEEN_BY_RAYS,
+                },
             conflict: self.commonality.conflict(),
         }
     }

@@ -98,7 +98,10 @@ mod tests {
     use super::*;
 
     fn grid(d: impl Fn(f64, f64) -> f64) -> Vec<(Vec3, f64)> {
-        (0..400).map(|i| (f64::from(i % 20) * 0.1, f64::from(i / 20) * 0.1)).map(|(y, z)| (Vec3::new(3.0, y, z), d(y, z))).collect()
+        (0..400)
+            .map(|i| (f64::from(i % 20) * 0.1, f64::from(i / 20) * 0.1))
+            .map(|(y, z)| (Vec3::new(3.0, y, z), d(y, z)))
+            .collect()
     }
 
     #[test]

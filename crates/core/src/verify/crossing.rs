@@ -136,6 +136,7 @@ fn image_rectangle(view: &View, corners: &[Vec3; 3]) -> ([f64; 2], [f64; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::NEVER;
     use crate::scan::{Beam, Patch};
     use rand::{Rng, SeedableRng};
 
@@ -181,7 +182,7 @@ mod tests {
             let bytes = Patch::encode(0, origin, 2e-2, 1e-4, &beams).unwrap().to_bytes();
             let (header, beams) = Patch::beams_of(&bytes).unwrap();
             let view = View::new(header, &beams);
-            let got = Target::new(solid).crossings(&view, f64::INFINITY, &|| false).unwrap();
+            let got = Target::new(solid).crossings(&view, f64::INFINITY, NEVER).unwrap();
             for slot in 0..view.len() {
                 let want = first_hit(solid, &origin, &view.directions[slot]);
                 assert!(got.distance[slot] == want || (got.distance[slot] - want).abs() < 1e-9);

@@ -1,8 +1,10 @@
 //! Samples: the points on a solid's faces at which belief is formed.
 
+use std::collections::BTreeMap;
+
 use crate::error::{Error, Result};
 use crate::geometry::{Faces, Solid, Vec3, group_faces};
-use crate::{Interrupt, poll};
+use crate::{Interrupt, poll, poll_now_and_then};
 
 /// Samples of one block at the most. Blocks are culled as a whole.
 pub const BLOCK: usize = 64;
@@ -45,8 +47,7 @@ impl Samples {
                 limit: format!("{MAX_SAMPLES}"),
             });
         }
-        let faces = group_faces(solid);
-        poll(interrupt)?;
+        let faces = group_faces(solid, interrupt)?;
         let reference = solid.bounds().centre().map(|c| c.round());
         let mut by_face: Vec<Vec<Vec3>> = vec![Vec::new(); faces.normals.len()];
         spread(solid, &faces, spacing, interrupt, &mut by_face)?;
@@ -58,8 +59,7 @@ impl Samples {
             two_sided: solid.closedness() == crate::geometry::Closedness::Open,
         };
         for (face, mut points) in by_face.into_iter().enumerate() {
-            poll(interrupt)?;
-            sort_along_curve(&mut points, &out.normals[face], spacing);
+            sort_along_curve(&mut points, &out.normals[face], spacing, interrupt)?;
             out.push_face(face as u32, &points);
         }
         Ok(out)
@@ -111,14 +111,13 @@ fn spread(solid: &Solid, faces: &Faces, spacing: f64, interrupt: Interrupt, out:
         if face == Faces::NONE {
             continue;
         }
-        if t % 1024 == 0 {
-            poll(interrupt)?;
-        }
+        poll_now_and_then(t, interrupt)?;
         let [a, b, c] = solid.corners(t);
         owed += 0.5 * (b - a).cross(&(c - a)).norm() / (spacing * spacing);
         let n = owed.floor();
         owed -= n;
         for i in 0..n as u64 {
+            poll_now_and_then(i as usize, interrupt)?;
             let (u, v) = r2(i);
             // Fold the unit square onto the triangle.
             let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
@@ -147,14 +146,25 @@ fn r2(i: u64) -> (f64, f64) {
 }
 
 /// Orders points along a Hilbert curve in the face's plane, so that a block is compact.
-fn sort_along_curve(points: &mut [Vec3], normal: &Vec3, spacing: f64) {
+fn sort_along_curve(points: &mut Vec<Vec3>, normal: &Vec3, spacing: f64, interrupt: Interrupt) -> Result<()> {
     let drop = normal.iamax();
     let (i, j) = ((drop + 1) % 3, (drop + 2) % 3);
     let low = points.iter().fold([f64::INFINITY; 2], |l, p| [l[0].min(p[i]), l[1].min(p[j])]);
-    points.sort_by_cached_key(|p| {
-        let cell = |x: f64, lo: f64| ((x - lo) / spacing) as u32;
-        hilbert(cell(p[i], low[0]), cell(p[j], low[1]))
-    });
+    let cell = |x: f64, lo: f64| ((x - lo) / spacing) as u32;
+    // By the first bits of the curve, then each part for itself: a large sort could not be interrupted.
+    let mut parts: BTreeMap<u64, Vec<(u64, Vec3)>> = BTreeMap::new();
+    for (round, p) in points.iter().enumerate() {
+        poll_now_and_then(round, interrupt)?;
+        let place = hilbert(cell(p[i], low[0]), cell(p[j], low[1]));
+        parts.entry(place >> 16).or_default().push((place, *p));
+    }
+    points.clear();
+    for (_, mut part) in parts {
+        poll(interrupt)?;
+        part.sort_by_key(|(place, _)| *place);
+        points.extend(part.into_iter().map(|(_, p)| p));
+    }
+    Ok(())
 }
 
 /// Place of a cell along the Hilbert curve of order 32 (Hamilton & Rau-Chaplin's rotation form).
@@ -176,8 +186,7 @@ fn hilbert(mut x: u32, mut y: u32) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    const NEVER: Interrupt = &|| false;
+    use crate::NEVER;
 
     #[test]
     fn as_many_as_the_area_asks_for_whatever_the_mesh() {

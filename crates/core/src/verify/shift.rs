@@ -41,9 +41,11 @@ impl Shift {
     /// the object is curved and the shift long, `points` (the built surface) are then fitted to the drawn one.
     /// `common_sd` is the error that all faces share: registration. `None` when no direction is determined.
     pub fn fit(faces: &[FaceReport], points: &SurfacePoints, common_sd: f64) -> Option<Self> {
-        let voting: Vec<&FaceReport> = faces.iter().filter(|f| f.surface >= MIN_SAMPLES && f.deviation.is_some()).collect();
+        let voting: Vec<&FaceReport> =
+            faces.iter().filter(|f| f.surface >= MIN_SAMPLES && f.deviation.is_some()).collect();
         let total: f64 = voting.iter().map(|f| f.surface as f64).sum();
-        let looks = voting.iter().map(|f| f.normal * f.normal.transpose() * (f.surface as f64 / total)).sum::<Matrix3<f64>>();
+        let looks =
+            voting.iter().map(|f| f.normal * f.normal.transpose() * (f.surface as f64 / total)).sum::<Matrix3<f64>>();
         if voting.is_empty() {
             return None;
         }
@@ -138,7 +140,7 @@ mod tests {
     fn one_wild_face_does_not_pull_a_column() {
         let truth = Vec3::new(0.03, -0.01, 0.0);
         let mut faces: Vec<FaceReport> = (0..16)
-            .map(|i| f64::from(i) * 0.3927)
+            .map(|i| f64::from(i) * std::f64::consts::FRAC_PI_8)
             .map(|a| Vec3::new(a.cos(), a.sin(), 0.0))
             .map(|n| face(n, n.dot(&truth), 100))
             .collect();

@@ -1,8 +1,8 @@
 //! The built surface as points, fitted to the drawn one.
 
 use nalgebra::Matrix3;
-use rstar::primitives::GeomWithData;
 use rstar::RTree;
+use rstar::primitives::GeomWithData;
 
 use super::evidence::Evidence;
 use super::shift::{Vote, solve};
@@ -46,7 +46,7 @@ impl SurfacePoints {
             for k in 0..block.len as usize {
                 let i = block.start as usize + k;
                 let local = samples.local(i);
-                if i % every_drawn == 0 {
+                if i.is_multiple_of(every_drawn) {
                     out.drawn.push(Drawn::new(local.into(), block.face));
                 }
                 for station in &e.stations {

@@ -194,10 +194,12 @@ fn add_meshes(drafts: &mut Drafts, result: ProcessingResult) {
             .collect();
         for t in mesh.indices.chunks_exact(3) {
             let place = |i: usize| places.get(t[i] as usize).copied().flatten();
-            if let (Some(a), Some(b), Some(c)) = (place(0), place(1), place(2)) {
-                if a != b && b != c && c != a {
-                    draft.product.triangles.push([a, b, c]);
-                }
+            if let (Some(a), Some(b), Some(c)) = (place(0), place(1), place(2))
+                && a != b
+                && b != c
+                && c != a
+            {
+                draft.product.triangles.push([a, b, c]);
             }
         }
     }

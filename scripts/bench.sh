@@ -1,0 +1,77 @@
+#!/usr/bin/env bash
+# Measure size and speed on simulated scans (and on ../shared/data/hall where it is there). Prints a table in Markdown
+# for docs/BENCHMARK.md. Medians of three runs on a private cluster; nothing else should run on the machine.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/install.sh >/dev/null
+asbuilt=$PWD/target/release/asbuilt
+cluster=$(mktemp -d "${TMPDIR:-/tmp}/asbuilt-bench-XXXXXX")
+trap 'scripts/cluster.sh drop "$cluster"' EXIT
+rmdir "$cluster"
+eval "$(scripts/cluster.sh start "$cluster")"
+createdb bench
+export PGDATABASE=bench
+data=target/bench
+mkdir -p $data
+
+now() { date +%s.%N; }
+# Median of three timings of a command, seconds.
+timed() {
+  for _ in 1 2 3; do
+    local start
+    start=$(now)
+    "$@" >/dev/null 2>&1
+    echo "$(now) $start" | awk '{printf "%.2f\n", $1 - $2}'
+  done | sort -n | sed -n 2p
+}
+ask() { psql -XAtq -c "$1"; }
+row() { echo "| $1 | $2 |"; }
+
+[ -e $data/10m.e57 ] || "$asbuilt" simulate demo/pavilion.ifc --stations demo/stations.txt --built demo/changes.json --step-mrad 2.55 --out $data/10m.e57
+[ -e $data/1m.e57 ] || "$asbuilt" simulate demo/pavilion.ifc --stations demo/stations.txt --built demo/changes.json --step-mrad 8 --out $data/1m.e57
+
+echo "machine: $(nproc) cores, $(awk -F: '/model name/{print $2; exit}' /proc/cpuinfo | xargs), $("${PG_CONFIG:-/usr/lib/postgresql/15/bin/pg_config}" --version), $(rustc --version)"
+echo
+echo "| what | measured |"
+echo "| --- | --- |"
+"$asbuilt" load demo/pavilion.ifc 2>/dev/null
+load=$(timed "$asbuilt" load $data/10m.e57 --epoch 10)
+beams=$(ask "SELECT sum(ab_count(patch)) FROM scan WHERE epoch = 10")
+row "load $beams beams from E57 ($(stat -c %s $data/10m.e57 | awk '{printf "%.0f MB", $1 / 1e6}')), whole program" "$load s, $(echo "$beams $load" | awk '{printf "%.2f M beams/s", $1 / $2 / 1e6}')"
+ask "VACUUM FULL scan"
+row "scan table with TOAST and index" "$(ask "SELECT round(pg_total_relation_size('scan')::numeric / sum(ab_count(patch)), 2) || ' bytes a beam; ' || count(*) || ' patches, index ' || pg_size_pretty(pg_relation_size('scan_patch_idx')) FROM scan")"
+"$asbuilt" load $data/1m.e57 --epoch 1 2>/dev/null
+
+evidence() { # epoch, workers
+  echo "SET max_parallel_workers_per_gather = $2; SELECT count(e) FROM (SELECT ab_evidence_agg(o.solid, s.patch, ab_evidence_model(loa => 'LOA30')) AS e FROM building_object o LEFT JOIN scan s ON s.epoch = $1 AND s.patch && o.solid GROUP BY o.id) x"
+}
+objects=$(ask "SELECT count(*) FROM building_object")
+samples=$(ask "SELECT round(sum(ab_area(solid)) / 4e-4) FROM building_object")
+for epoch in 1 10; do
+  n=$(ask "SELECT sum(ab_count(patch)) FROM scan WHERE epoch = $epoch")
+  row "evidence, $objects objects ($samples samples at 2 cm) over $n beams, one core" "$(timed psql -Xq -c "$(evidence $epoch 0)") s"
+done
+row "asbuilt verify, the same over epoch 1 (evidence, summary, best LOA; planner's own choice of workers)" "$(timed "$asbuilt" verify --epoch 1) s"
+
+if [ -e ../shared/data/hall/epoch1.e57 ]; then
+  createdb hall
+  export PGDATABASE=hall
+  "$asbuilt" load ../shared/data/hall/model.ifc ../shared/data/hall/epoch1.e57 2>/dev/null
+  row "evidence, all hall objects ($(ask "SELECT round(sum(ab_area(solid)) / 4e-4) FROM building_object") samples at 2 cm) over $(ask "SELECT sum(ab_count(patch)) FROM scan") beams, one core" "$(timed psql -Xq -c "$(evidence 1 0)") s"
+  export PGDATABASE=bench
+fi
+
+# Cancel: how long after the timeout the query is over.
+late() { # query, timeout in ms
+  for _ in 1 2 3; do
+    local start
+    start=$(now)
+    psql -Xq -c "SET statement_timeout = $2; $1" >/dev/null 2>&1 || true
+    echo "$(now) $start $2" | awk '{printf "%.0f\n", ($1 - $2) * 1000 - $3}'
+  done | sort -n | sed -n 3p
+}
+row "statement_timeout 300 ms during evidence over 10 M beams: over after (worst of three, connection included)" "+$(late "$(evidence 10 0)" 300) ms"
+row "statement_timeout 100 ms while 4.4 M samples are spread on one solid" "+$(late "SELECT ab_count(ab_evidence_agg(ab_solid(ab_box(0, 0, 0, 20, 20, 2)), NULL, ab_evidence_model(spacing => 0.0152)))" 100) ms"
+ask "CREATE TABLE evidence AS SELECT ab_evidence_agg(o.solid, s.patch, ab_evidence_model()) AS e FROM building_object o JOIN scan s ON s.epoch = 10 AND s.patch && o.solid GROUP BY o.id"
+row "statement_timeout 300 ms during ab_summary of all objects" "+$(late "SELECT count(s) FROM evidence, generate_series(1, 9), LATERAL ab_summary(e) s" 300) ms"
+row "stored evidence" "$(ask "SELECT round(sum(pg_column_size(e))::numeric / sum(ab_count(e)), 1) || ' bytes a sample (4 stations)' FROM evidence")"
