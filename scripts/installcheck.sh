@@ -23,5 +23,8 @@ tests=$(cd tests/pg_regress/sql && ls ./*.sql | sed 's|./||; s|\.sql$||' | sort)
 echo "test: documents"
 scripts/api_docs.sh --check
 
+echo "test: IFC geometry against IfcOpenShell"
+scripts/ifc_oracle.sh
+
 echo "test: clients"
 ASBUILT=$PWD/target/release/asbuilt PG_BINDIR=$("$PG_CONFIG" --bindir) cargo test --release -p asbuilt-client-tests -- --test-threads=2

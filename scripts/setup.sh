@@ -17,7 +17,7 @@ as_root() {
 }
 
 packages=(build-essential pkg-config clang libclang-dev libssl-dev bison flex perl
-  "postgresql-$PG_VERSION" "postgresql-server-dev-$PG_VERSION" postgresql-common python3)
+  "postgresql-$PG_VERSION" "postgresql-server-dev-$PG_VERSION" postgresql-common python3 python3-venv)
 missing=()
 for package in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")

@@ -11,8 +11,14 @@ fn sql_examples_run() {
     let db = Database::new("docs");
     let scan = scratch("docs.e57");
     db.asbuilt(&[
-        "simulate", text(&project("demo/pavilion.ifc")), "--stations", text(&project("demo/stations.txt")), "--step-mrad", "20",
-        "--out", text(&scan),
+        "simulate",
+        text(&project("demo/pavilion.ifc")),
+        "--stations",
+        text(&project("demo/stations.txt")),
+        "--step-mrad",
+        "20",
+        "--out",
+        text(&scan),
     ]);
     db.asbuilt(&["load", text(&project("demo/pavilion.ifc")), text(&scan)]);
     db.asbuilt(&["load", text(&scan), "--epoch", "2"]);

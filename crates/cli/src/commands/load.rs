@@ -162,7 +162,7 @@ fn report_model(source: &str, model: &ifc::Model, meshed: usize, twice: usize, o
         open.len(),
         model.unmeshed.len()
     );
-    eprintln!("  box {}", bounds.to_text());
+    eprintln!("  box {}", shown(bounds));
     list("open surface (area and verdict, no volume)", open);
     let missing: Vec<String> = model.unmeshed.iter().map(|(name, why)| format!("{name}: {why}")).collect();
     list("missing", &missing);
@@ -170,10 +170,25 @@ fn report_model(source: &str, model: &ifc::Model, meshed: usize, twice: usize, o
     if !left_out.is_empty() {
         eprintln!("  no building objects, left out: {}", left_out.join(", "));
     }
+    if let Some(worst) = model.rounded.iter().map(|r| r.1).reduce(f64::max) {
+        eprintln!(
+            "  warning: {} products lie so far from the file's zero that their geometry is rounded, to {:.0} mm at the \
+             worst ({}); move the model near its origin for finer levels of accuracy",
+            model.rounded.len(),
+            worst * 1e3,
+            model.rounded[0].0
+        );
+    }
     if twice > 0 {
         eprintln!("  warning: {twice} products repeat another's GlobalId; the first of each was kept");
     }
     model.warnings.iter().for_each(|w| eprintln!("  warning: {w}"));
+}
+
+/// A box to the millimetre.
+fn shown(b: &Aabb) -> String {
+    let mm = |c: [f64; 3]| c.map(|v| (v * 1e3).round() / 1e3);
+    Aabb { min: mm(b.min), max: mm(b.max) }.to_text()
 }
 
 /// Names all missing, but of a long list only the beginning unless they are few.
@@ -214,7 +229,7 @@ fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
         count(total.too_near),
         args.min_range
     );
-    eprintln!("  box {}", total.points.to_text());
+    eprintln!("  box {}", shown(&total.points));
     if total.without_origin > 0 {
         eprintln!(
             "  warning: {} of them without scanner position: their points can say what is occupied, never what is \

@@ -91,6 +91,9 @@ fn read_whole(bytes: &[u8]) -> Result<Model, String> {
             } else {
                 draft.product.note = receipt;
             }
+            if let Some(grid) = rounded_to(&draft.product.vertices) {
+                model.rounded.push((format!("{} {}", draft.product.ifc_class, draft.product.name), grid));
+            }
         }
     }
     let keep = |d: &Draft| d.has_body || !d.product.triangles.is_empty();
@@ -203,6 +206,15 @@ fn add_meshes(drafts: &mut Drafts, result: ProcessingResult) {
             }
         }
     }
+}
+
+/// Far from the file's zero the library's sweeps keep single precision only: the grid (metres) on which all
+/// coordinates of a mesh lie, if it is a millimetre or coarser.
+fn rounded_to(vertices: &[[f64; 3]]) -> Option<f64> {
+    const FAR_M: f64 = 8192.0;
+    let far: Vec<f64> = vertices.iter().flatten().copied().filter(|c| c.abs() >= FAR_M).collect();
+    let on = |grid: f64| far.iter().all(|c| (c / grid - (c / grid).round()).abs() < 1e-3);
+    (4..=10).map(|k| 0.5f64.powi(k)).find(|&grid| far.len() >= 12 && on(grid))
 }
 
 /// Marks parts, hands down the level of accuracy of their whole, and gives a whole without a body of its own the

@@ -40,6 +40,8 @@ pub struct Model {
     pub products: Vec<Product>,
     /// Products with a body that could not be meshed: name and reason. They are among the products, without mesh.
     pub unmeshed: Vec<(String, String)>,
+    /// Products whose coordinates the geometry library rounded: name and grid, metres.
+    pub rounded: Vec<(String, f64)>,
     /// What is no building object (openings, spaces, grids), by class.
     pub left_out: BTreeMap<String, u64>,
     pub warnings: Vec<String>,
@@ -78,6 +80,9 @@ pub fn read(path: &Path, limit: Duration) -> Result<Model> {
     for (name, _) in std::env::vars_os().filter(|(n, _)| n.to_string_lossy().starts_with("IFC_LITE_")) {
         command.env_remove(name);
     }
+    // Positions relative to each element's centre: in a projected system the library's single precision would lose
+    // centimetres.
+    command.env("IFC_LITE_LOCAL_FRAME", "1");
     let mut child = command.spawn().context("cannot start the meshing process")?;
     let answer = receive(&mut child, limit);
     let _ = child.kill();
