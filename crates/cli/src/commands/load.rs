@@ -21,8 +21,8 @@ use crate::stations::{self, Packed};
 #[command(after_long_help = "\
 Models: IFC (STEP). Every product with a body becomes a row of building_object; what cannot be meshed is named.
 Scans: E57, LAS, LAZ, PLY, PTX, PCD, XYZ, PTS. Every scanner position becomes a row of station, its beams patches in
-scan. E57 and PTX tell the scanner's position; for the others give --origin, or the points say only what is occupied,
-never what is empty. Loading a file again replaces what it had loaded. A file that fails leaves nothing behind.
+scan. E57 and PTX tell the scanner's position; for the others give --origin, or the points are kept, but say
+nothing in a verdict yet. Loading a file again replaces what it had loaded. A file that fails leaves nothing behind.
 
 Examples:
   asbuilt load model.ifc --loa LOA20
@@ -232,8 +232,8 @@ fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
     eprintln!("  box {}", shown(&total.points));
     if total.without_origin > 0 {
         eprintln!(
-            "  warning: {} of them without scanner position: their points can say what is occupied, never what is \
-            empty; give --origin x,y,z if they were scanned from one place",
+            "  warning: {} of them without scanner position: their points are kept, but say nothing in a verdict yet; \
+             give --origin x,y,z if they were scanned from one place",
             total.without_origin
         );
     }
