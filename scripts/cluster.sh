@@ -23,7 +23,7 @@ case $command in
 start)
   if [ ! -e "$dir/data/PG_VERSION" ]; then
     rm -rf "$dir"
-    mkdir -p "$dir"
+    mkdir -p -m 700 "$dir"
     [ "$(id -u)" -ne 0 ] || chown postgres: "$dir"
     as_server "$bin/initdb" -D "$dir/data" -U postgres -A trust -E UTF8 --locale=C.UTF-8 --no-sync >/dev/null
     # Small machine, throw-away data: no fsync; room for two parallel workers and for wide rows while they load.

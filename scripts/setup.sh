@@ -5,9 +5,11 @@
 #   PG_VERSION   PostgreSQL major version, default 15 (Debian 12's own)
 set -euo pipefail
 
-PG_VERSION=${PG_VERSION:-15}
 PGRX_VERSION=0.18.1
+PG_VERSION=${PG_VERSION:-15}
 PG_CONFIG=${PG_CONFIG:-/usr/lib/postgresql/$PG_VERSION/bin/pg_config}
+# A PostgreSQL that is there says its version itself.
+[ ! -x "$PG_CONFIG" ] || PG_VERSION=$("$PG_CONFIG" --version | sed -E 's/^PostgreSQL ([0-9]+).*/\1/')
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then "$@"; elif command -v sudo >/dev/null; then sudo "$@"; else
@@ -16,8 +18,11 @@ as_root() {
   fi
 }
 
-packages=(build-essential pkg-config clang libclang-dev libssl-dev bison flex perl
-  "postgresql-$PG_VERSION" "postgresql-server-dev-$PG_VERSION" postgresql-common python3 python3-venv)
+packages=(build-essential pkg-config clang libclang-dev libssl-dev bison flex perl python3 python3-venv)
+# One's own build of PostgreSQL brings its headers; Debian's does when asked.
+if [ ! -e "$("$PG_CONFIG" --includedir-server 2>/dev/null)/postgres.h" ]; then
+  packages+=("postgresql-$PG_VERSION" "postgresql-server-dev-$PG_VERSION" postgresql-common)
+fi
 missing=()
 for package in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")

@@ -2,7 +2,7 @@
 
 CREATE FUNCTION ab_scan(origin float8[], points float8[], step float8 DEFAULT NULL, station bigint DEFAULT 0, quantum float8 DEFAULT 0.0001) RETURNS ab_scan
     AS 'MODULE_PATHNAME', 'ab_scan_make' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000;
-COMMENT ON FUNCTION ab_scan(float8[], float8[], float8, bigint, float8) IS 'A patch from at most 4096 points (n×3, world metres) seen from one origin; step is the angle between neighbouring beams in radians (estimated when NULL)';
+COMMENT ON FUNCTION ab_scan(float8[], float8[], float8, bigint, float8) IS 'A patch from at most 4096 points (n x 3, world metres) seen from one origin; step is the angle between neighbouring beams in radians (estimated when NULL)';
 
 CREATE FUNCTION ab_count(patch ab_scan) RETURNS integer
     AS 'MODULE_PATHNAME', 'ab_scan_count' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;

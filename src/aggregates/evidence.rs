@@ -39,8 +39,8 @@ impl State {
     fn merge(&mut self, other: &Evidence) -> Result<()> {
         match self {
             Self::Empty => *self = Self::Merged(Box::new(other.clone())),
-            Self::Collecting(c) => c.collector.merge(other)?,
-            Self::Merged(e) => e.merge(other)?,
+            Self::Collecting(c) => c.collector.merge(other, &interrupt)?,
+            Self::Merged(e) => e.merge(other, &interrupt)?,
         }
         Ok(())
     }
@@ -106,7 +106,7 @@ sql_functions! {
     fn ab_evidence_deserial(args) {
         let state = match args.bytes(0) {
             [] => State::Empty,
-            bytes => State::Merged(Box::new(Evidence::from_bytes(bytes)?)),
+            bytes => State::Merged(Box::new(Evidence::from_bytes(bytes, &interrupt)?)),
         };
         Ok(deserialised_state(state).ret())
     }
@@ -122,7 +122,7 @@ sql_functions! {
     fn ab_rollup_accum(args) {
         let mut state = state(args, 0)?;
         if !args.is_null(1) {
-            state.get().merge(&Evidence::from_bytes(args.bytes(1))?)?;
+            state.get().merge(&Evidence::from_bytes(args.bytes(1), &interrupt)?)?;
         }
         Ok(state.ret())
     }

@@ -6,7 +6,7 @@ use pgrx::pg_sys;
 /// `3` or `4×2`, for messages.
 pub fn shape(dims: &[i32]) -> String {
     let words: Vec<String> = dims.iter().map(i32::to_string).collect();
-    if words.is_empty() { "an empty array".into() } else { format!("an array of {} elements", words.join("×")) }
+    if words.is_empty() { "an empty array".into() } else { format!("an array of {} elements", words.join(" x ")) }
 }
 
 /// Dimensions and elements of an array of fixed-length plain numbers, in storage order.

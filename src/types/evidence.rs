@@ -5,7 +5,7 @@ use asbuilt_core::num::text::{from_hex, to_hex};
 use asbuilt_core::verify::{Evidence, EvidenceHeader};
 
 use super::box_bytes;
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, Ret, interrupt, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_evidence:1:";
@@ -17,7 +17,7 @@ fn header(args: &Args) -> Result<EvidenceHeader> {
 sql_functions! {
     fn ab_evidence_in(args) {
         let bytes = from_hex("ab_evidence", PREFIX, &args.cstring(0))?;
-        Ok(Ret::Bytes(Evidence::from_bytes(&bytes)?.to_bytes()))
+        Ok(Ret::Bytes(Evidence::from_bytes(&bytes, &interrupt)?.to_bytes()))
     }
 
     fn ab_evidence_out(args) {
@@ -25,7 +25,7 @@ sql_functions! {
     }
 
     fn ab_evidence_recv(args) {
-        Ok(Ret::Bytes(Evidence::from_bytes(args.message(0))?.to_bytes()))
+        Ok(Ret::Bytes(Evidence::from_bytes(args.message(0), &interrupt)?.to_bytes()))
     }
 
     fn ab_evidence_send(args) {
@@ -39,8 +39,8 @@ sql_functions! {
             (false, true) => Ok(Ret::Bytes(args.bytes(0).to_vec())),
             (true, false) => Ok(Ret::Bytes(args.bytes(1).to_vec())),
             (false, false) => {
-                let mut e = Evidence::from_bytes(args.bytes(0))?;
-                e.merge(&Evidence::from_bytes(args.bytes(1))?)?;
+                let mut e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
+                e.merge(&Evidence::from_bytes(args.bytes(1), &interrupt)?, &interrupt)?;
                 Ok(Ret::Bytes(e.to_bytes()))
             }
         }

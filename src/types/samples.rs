@@ -1,7 +1,7 @@
 //! `ab_samples(e)`, `ab_faces(e)`: what is believed where.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::verify::{Evidence, VerdictRule};
+use asbuilt_core::verify::Evidence;
 
 use super::mass_bytes;
 use super::summary::question;
@@ -17,7 +17,7 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0))?;
+        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
         let model = question(args, &e, 1)?;
         e.for_each_sample(&model, &interrupt, |position, normal, b| {
             rows.push(&[
@@ -37,9 +37,9 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0))?;
+        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
         let model = question(args, &e, 1)?;
-        for f in e.summary(&model, &VerdictRule::default(), &interrupt)?.faces {
+        for f in e.faces(&model, &interrupt)? {
             rows.push(&[
                 vector(&f.normal),
                 Field::I64(f.samples as i64),

@@ -23,8 +23,8 @@ fn from_arrays(args: &Args) -> Result<Patch> {
         return Err(Error::Empty { what: "the scan patch" });
     }
     if dims.len() != 2 || dims[1] != 3 {
-        let shape = dims.iter().map(i32::to_string).collect::<Vec<_>>().join("×");
-        return Err(Error::argument("the points", "an array of n×3 numbers", shape));
+        let shape = dims.iter().map(i32::to_string).collect::<Vec<_>>().join(" x ");
+        return Err(Error::argument("the points", "an array of n x 3 numbers", shape));
     }
     if dims[0] as usize > MAX_BEAMS {
         return Err(Error::Limit {

@@ -14,13 +14,13 @@ fn header(args: &Args) -> Result<SolidHeader> {
     Solid::header(args.prefix(0, Solid::HEADER_LEN))
 }
 
-/// Rows of three from an array of n×3.
+/// Rows of three from an array of n x 3.
 fn triples<T: Copy>(what: &'static str, dims: &[i32], values: &[T]) -> Result<Vec<[T; 3]>> {
     if dims.len() != 2 || dims[1] != 3 {
-        let shape = dims.iter().map(i32::to_string).collect::<Vec<_>>().join("×");
+        let shape = dims.iter().map(i32::to_string).collect::<Vec<_>>().join(" x ");
         return Err(Error::argument(
             what,
-            "an array of n×3 numbers",
+            "an array of n x 3 numbers",
             if shape.is_empty() { "empty".into() } else { shape },
         ));
     }

@@ -39,7 +39,7 @@ fn rule(args: &Args, i: usize) -> Result<VerdictRule> {
 }
 
 fn summary(args: &Args) -> Result<Summary> {
-    let e = Evidence::from_bytes(args.bytes(0))?;
+    let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
     e.summary(&question(args, &e, 1)?, &rule(args, 3)?, &interrupt)
 }
 
@@ -72,7 +72,7 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0))?;
+        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
         let verdict = e.verdict(&question(args, &e, 1)?, &rule(args, 3)?, &interrupt)?;
         Ok(Ret::text(verdict.name()))
     }
@@ -82,8 +82,8 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0))?;
-        let Some(t) = e.summary(e.model(), &VerdictRule::default(), &interrupt)?.shift else {
+        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
+        let Some(t) = e.rigid_shift(&interrupt)? else {
             return Ok(Ret::Null);
         };
         let axis = |i: usize, x: f64| if t.determines(i) { Field::F64(x) } else { Field::Null };

@@ -113,9 +113,6 @@ impl Error {
             Self::Mismatch { .. } => {
                 "Roll up only evidence of the same solid, made with the same ab_evidence_model().".into()
             }
-            Self::Limit { what, .. } if what.contains("sample") => {
-                "Use a coarser spacing in ab_evidence_model(spacing => ...).".into()
-            }
             Self::Limit { what, .. } if what.contains("offset") => {
                 "Use a coarser quantum, or give coordinates nearer the scanner.".into()
             }

@@ -148,7 +148,7 @@ pub fn project(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
 }
 
-/// A file of the data beside the project; `None`, loudly, where it is absent.
+/// A file of the data beside the project; `None` where it is absent, which `scripts/installcheck.sh` says loudly.
 pub fn shared(path: &str) -> Option<PathBuf> {
     let file = project("../shared/data").join(path);
     if file.exists() {

@@ -58,6 +58,16 @@ SELECT ('ab_scan:1:02' || substr(:'scan', 3))::ab_scan;
 SELECT ('ab_scan:1:' || overlay(:'scan' placing 'ffffffff' from 9 for 8))::ab_scan;
 SELECT ('ab_scan:1:' || overlay(:'scan' placing 'ff' from length(:'scan') - 1 for 2))::ab_scan;
 
+SELECT ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[1,2,3]]::float8[], step => 1e39);
+SELECT ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[1,2,3]]::float8[], step => 1e-50);
+SELECT encode(ab_evidence_send(ab_evidence_agg(ab_solid(ab_box(5,-0.1,-0.1,5.1,0.1,0.1)), ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[5,0,0],[5,0.01,0]]::float8[], 0.002), ab_evidence_model(spacing => 0.1))), 'hex') AS evidence \gset
+SELECT ('ab_evidence:1:' || left(:'evidence', 300))::ab_evidence;
+SELECT ('ab_evidence:1:' || :'evidence' || '00')::ab_evidence;
+SELECT ('ab_evidence:1:02' || substr(:'evidence', 3))::ab_evidence;
+SELECT ('ab_evidence:1:' || overlay(:'evidence' placing 'ffffffff' from 33 for 8))::ab_evidence;
+SELECT ('ab_evidence:1:' || overlay(:'evidence' placing 'ffffffff' from 41 for 8))::ab_evidence;
+SELECT ('ab_evidence:1:' || overlay(:'evidence' placing 'ffffffffffffef7f' from 209 for 16))::ab_evidence;
+
 -- evidence that does not belong together
 WITH w AS (SELECT ab_evidence_agg(ab_solid(ab_box(0,0,0,1,1,1)), NULL, ab_evidence_model()) a,
                   ab_evidence_agg(ab_solid(ab_box(0,0,0,1,1,2)), NULL, ab_evidence_model()) b)
@@ -66,7 +76,9 @@ WITH w AS (SELECT ab_evidence_agg(ab_solid(ab_box(0,0,0,1,1,1)), NULL, ab_eviden
                   ab_evidence_agg(ab_solid(ab_box(0,0,0,1,1,1)), NULL, ab_evidence_model(spacing => 0.2)) c)
 SELECT ab_rollup(a, c) FROM w;
 SELECT ab_evidence_agg(ab_solid(ab_box(0,0,0,1,1,i)), NULL, ab_evidence_model()) FROM generate_series(1, 2) i;
-SELECT ab_evidence_agg(ab_solid(ab_box(0,0,0,1000,1000,1)), NULL, ab_evidence_model());
+-- a solid that is too large for the spacing is sampled more coarsely; one without area not at all
+SELECT ab_count(ab_evidence_agg(ab_solid(ab_box(0,0,0,100,100,1)), NULL, ab_evidence_model())) BETWEEN 4999990 AND 5000010 AS coarser;
+SELECT ab_count(e), ab_verdict(e) FROM (SELECT ab_evidence_agg(ab_solid(ARRAY[[0,0,0],[1,0,0],[2,0,0]]::float8[], ARRAY[[0,1,2]]), NULL, ab_evidence_model()) e) x;
 
 
 -- the backend is still there

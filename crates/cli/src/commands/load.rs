@@ -67,12 +67,23 @@ pub fn run(args: &LoadArgs) -> Result<()> {
     if let Some(missing) = args.files.iter().find(|f| !f.is_file()) {
         bail!("{}: no such file", missing.display());
     }
+    for (i, file) in args.files.iter().enumerate() {
+        if let Some(other) = args.files[..i].iter().find(|o| source(o) == source(file)) {
+            bail!(
+                "{} and {} have the same name, by which loaded files are known; rename one or load it alone",
+                other.display(),
+                file.display()
+            );
+        }
+    }
     let mut client = args.database.connect()?;
+    let mut tx = client.transaction().map_err(explain)?;
+    tables::make(&mut tx)?;
+    tx.commit().map_err(explain)?;
     for (file, kind) in args.files.iter().zip(kinds) {
         let start = Instant::now();
         // Dropped without commit, the transaction leaves nothing.
         let mut tx = client.transaction().map_err(explain)?;
-        tables::make(&mut tx)?;
         match kind {
             Kind::Model => load_model(args, file, &mut tx)?,
             Kind::Scan => load_scans(args, file, &mut tx)?,
@@ -94,7 +105,10 @@ fn load_model(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
     let model = ifc::read(file, Duration::from_secs(args.mesh_timeout))?;
     bar.finish_and_clear();
     let source = source(file);
-    tx.execute("DELETE FROM building_object WHERE source = $1", &[&source]).map_err(explain)?;
+    let replaced = tx.execute("DELETE FROM building_object WHERE source = $1", &[&source]).map_err(explain)?;
+    if replaced > 0 {
+        eprintln!("{source}: replaces {replaced} objects loaded before from a file of that name");
+    }
     let columns = ["global_id", "ifc_class", "name", "storey", "loa", "solid", "properties", "source"];
     let mut copy = BinaryCopy::start(tx, "building_object", &columns)?;
     let (mut bounds, mut open, mut seen) = (Aabb::EMPTY, Vec::new(), std::collections::HashSet::new());
@@ -203,7 +217,13 @@ fn list(what: &str, names: &[String]) {
 fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> {
     let source = source(file);
     let delete = "DELETE FROM station WHERE source = $1 AND epoch = $2";
-    tx.execute(delete, &[&source, &args.epoch]).map_err(explain)?;
+    let replaced = tx.execute(delete, &[&source, &args.epoch]).map_err(explain)?;
+    if replaced > 0 {
+        eprintln!(
+            "{source}: replaces {replaced} stations of epoch {} loaded before from a file of that name",
+            args.epoch
+        );
+    }
     let bar = progress(&format!("reading {source}"), "points");
     let mut total = Total::default();
     let options = ReadOptions { origin: args.origin };
@@ -230,6 +250,9 @@ fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
         args.min_range
     );
     eprintln!("  box {}", shown(&total.points));
+    if total.unusable > 0 {
+        eprintln!("  warning: {} points are not finite or impossibly far, and were dropped", total.unusable);
+    }
     if total.without_origin > 0 {
         eprintln!(
             "  warning: {} of them without scanner position: their points are kept, but say nothing in a verdict yet; \
@@ -247,12 +270,13 @@ struct Total {
     beams: u64,
     no_returns: u64,
     too_near: u64,
+    unusable: u64,
     points: Aabb,
 }
 
 impl Default for Total {
     fn default() -> Self {
-        Self { stations: 0, without_origin: 0, beams: 0, no_returns: 0, too_near: 0, points: Aabb::EMPTY }
+        Self { stations: 0, without_origin: 0, beams: 0, no_returns: 0, too_near: 0, unusable: 0, points: Aabb::EMPTY }
     }
 }
 
@@ -263,6 +287,7 @@ impl Total {
         self.beams += packed.beams;
         self.no_returns += packed.no_returns;
         self.too_near += packed.too_near;
+        self.unusable += scan.unusable;
         self.points = self.points.union(&packed.points);
     }
 }

@@ -71,7 +71,7 @@ fn read_cloud(
     bar: &ProgressBar,
 ) -> Result<RawScan> {
     let pose = cloud.transform.clone();
-    let has_origin = options.origin.is_some() || pose.is_some() || cloud.has_row_column() || cloud.has_spherical();
+    let has_origin = pose.is_some() || cloud.has_row_column() || cloud.has_spherical();
     let pose = pose.unwrap_or_default();
     let q = Quaternion::new(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
     let scanner = Vec3::new(pose.translation.x, pose.translation.y, pose.translation.z);
@@ -79,13 +79,14 @@ fn read_cloud(
         bail!("the pose of a point cloud is no pose");
     }
     let rotation = UnitQuaternion::from_quaternion(q);
-    let (beams, cells) = collect(file, cloud, bar, &rotation)?;
+    let (beams, cells, unusable) = collect(file, cloud, bar, &rotation)?;
     let mut scan = RawScan {
         name: String::new(),
         sensor: sensor(cloud),
         world_from_scan: has_origin.then_some([rotation.w, rotation.i, rotation.j, rotation.k]),
         anchor: scanner,
         beams,
+        unusable,
     };
     if has_origin {
         let missing = missing_directions(&cells);
@@ -95,7 +96,8 @@ fn read_cloud(
     Ok(scan)
 }
 
-type Collected = (Vec<Beam>, Vec<Cell>);
+/// Beams, cells of the grid, and how many points were not finite.
+type Collected = (Vec<Beam>, Vec<Cell>, u64);
 
 fn collect(
     file: &mut E57Reader<std::io::BufReader<std::fs::File>>,
@@ -103,7 +105,7 @@ fn collect(
     bar: &ProgressBar,
     rotation: &UnitQuaternion<f64>,
 ) -> Result<Collected> {
-    let (mut beams, mut cells) = (Vec::new(), Vec::new());
+    let (mut beams, mut cells, mut unusable) = (Vec::new(), Vec::new(), 0);
     let grid = cloud.has_row_column();
     let mut reader = file.pointcloud_simple(cloud).context("its points cannot be read")?;
     reader.apply_pose(false);
@@ -124,7 +126,9 @@ fn collect(
             }
             CartesianCoordinate::Invalid => None,
         };
-        let local = local.filter(|p| p.iter().all(|c| c.is_finite()));
+        let finite = local.filter(|p| p.iter().all(|c| c.is_finite()));
+        unusable += u64::from(local.is_some() && finite.is_none());
+        let local = finite;
         beams.extend(local.map(|p| Beam { offset: rotation * p, returned: true }));
         if let (true, Ok(row), Ok(column)) = (grid, u32::try_from(point.row), u32::try_from(point.column)) {
             cells.push(Cell { row, column, point: local });
@@ -133,24 +137,21 @@ fn collect(
     if cells.iter().all(|c| c.point.is_some()) {
         cells.clear();
     }
-    Ok((beams, cells))
+    Ok((beams, cells, unusable))
 }
 
-/// Makes the beams relative to the user's origin, or to a point near them when there is no origin.
+/// Where the file tells no position: makes the beams relative to the user's origin, or else to a point near them.
 fn move_anchor(scan: &mut RawScan, origin: Option<Vec3>, has_origin: bool) {
-    let anchor = match (origin, has_origin) {
-        (Some(o), _) => o,
-        (None, true) => return,
-        (None, false) => match scan.beams.first() {
-            Some(b) => (b.offset + scan.anchor).map(|c| c.round()),
-            None => return,
-        },
-    };
+    let Some(first) = scan.beams.first() else { return };
+    if has_origin {
+        return;
+    }
+    let anchor = origin.unwrap_or_else(|| (first.offset + scan.anchor).map(|c| c.round()));
     let shift = scan.anchor - anchor;
     scan.beams.retain(|b| b.returned);
     scan.beams.iter_mut().for_each(|b| b.offset += shift);
     scan.anchor = anchor;
-    scan.world_from_scan = origin.map(|_| scan.world_from_scan.unwrap_or(NO_ROTATION));
+    scan.world_from_scan = origin.map(|_| NO_ROTATION);
 }
 
 fn sensor(cloud: &PointCloud) -> Option<String> {

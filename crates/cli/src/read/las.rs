@@ -30,7 +30,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     while (points.len() as u64) < count {
         let got = reader.fill_points(AT_ONCE, &mut data).context("its points are damaged")?;
         if got == 0 {
-            break;
+            bail!("it ends after {} of {count} points", points.len());
         }
         // In every point format a record starts with x, y, z as 32-bit integers.
         points.extend(data.raw_bytes().chunks_exact(data.record_len()).map(|record| {

@@ -31,6 +31,8 @@ pub struct RawScan {
     pub anchor: Vec3,
     /// Beams relative to `anchor`, world axes.
     pub beams: Vec<Beam>,
+    /// Points that are no points: not finite, or impossibly far.
+    pub unusable: u64,
 }
 
 /// Rotation of a scan whose file gives none.
@@ -39,7 +41,7 @@ pub const NO_ROTATION: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 /// How to read.
 #[derive(Debug, Clone, Default)]
 pub struct ReadOptions {
-    /// The scanner's place as the user gives it; wins over the file's.
+    /// The scanner's place as the user gives it, for files that do not tell it.
     pub origin: Option<Vec3>,
 }
 
@@ -74,21 +76,30 @@ fn ending(path: &Path) -> String {
 /// No scanner ranges farther, metres: points beyond it carry a position that is not theirs.
 const MAX_RANGE_M: f64 = 50_000.0;
 
-/// A scan whose points lie impossibly far from its position (merged clouds in world coordinates, saved with the
-/// scanner at zero) becomes points without origin.
-fn doubt_origin(mut scan: RawScan) -> RawScan {
-    let Some(far) = scan.beams.iter().find(|b| b.returned && b.offset.norm() > MAX_RANGE_M) else { return scan };
-    let shift = far.offset.map(|c| c.round());
-    scan.anchor += shift;
-    scan.beams.retain(|b| b.returned);
-    scan.beams.iter_mut().for_each(|b| b.offset -= shift);
-    scan.world_from_scan = None;
+/// A scan most of whose points lie impossibly far from the position in the file (merged clouds in world
+/// coordinates, saved with the scanner at zero) becomes points without origin; a few such points are dropped.
+fn doubt_origin(mut scan: RawScan, given: Option<Vec3>) -> RawScan {
+    let is_far = |b: &Beam| b.returned && b.offset.norm() > MAX_RANGE_M;
+    let far = scan.beams.iter().filter(|b| is_far(b)).count();
+    if far == 0 || scan.world_from_scan.is_none() {
+        return scan;
+    }
+    if given.is_none() && 2 * far > scan.beams.len() {
+        let shift = scan.beams.iter().find(|b| is_far(b)).map_or_else(Vec3::zeros, |b| b.offset.map(|c| c.round()));
+        scan.anchor += shift;
+        scan.beams.retain(|b| b.returned);
+        scan.beams.iter_mut().for_each(|b| b.offset -= shift);
+        scan.world_from_scan = None;
+    } else {
+        scan.beams.retain(|b| !is_far(b));
+        scan.unusable += far as u64;
+    }
     scan
 }
 
 /// Reads every scan of a file. A library that panics on a damaged file becomes an error.
 pub fn read_scans(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
-    let sink: Sink = &mut |scan| sink(doubt_origin(scan));
+    let sink: Sink = &mut |scan| sink(doubt_origin(scan, options.origin));
     let read = || match ending(path).as_str() {
         "e57" => e57::read(path, options, bar, sink),
         "las" | "laz" => las::read(path, options, bar, sink),
@@ -113,12 +124,14 @@ pub fn silence_panics<T>(work: impl FnOnce() -> T) -> std::thread::Result<T> {
 
 /// Points in world coordinates as a scan from `options.origin`, or as points without origin.
 fn scan_of_points(path: &Path, points: Vec<Vec3>, origin: Option<Vec3>) -> Result<RawScan> {
+    let all = points.len();
     let finite: Vec<Vec3> = points.into_iter().filter(|p| p.iter().all(|c| c.is_finite())).collect();
+    let unusable = (all - finite.len()) as u64;
     let first = *finite.first().ok_or_else(|| anyhow!("it holds no points"))?;
     let anchor = origin.unwrap_or_else(|| first.map(|c| c.round()));
     let beams = finite.into_iter().map(|p| Beam { offset: p - anchor, returned: true }).collect();
     let world_from_scan = origin.map(|_| NO_ROTATION);
-    Ok(RawScan { name: stem(path), sensor: None, world_from_scan, anchor, beams })
+    Ok(RawScan { name: stem(path), sensor: None, world_from_scan, anchor, beams, unusable })
 }
 
 fn stem(path: &Path) -> String {

@@ -34,7 +34,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     }
     let v = &meta.viewpoint;
     let viewpoint = Vec3::new(v.tx, v.ty, v.tz);
-    let origin = options.origin.or((viewpoint != Vec3::zeros()).then_some(viewpoint));
+    let origin = (viewpoint != Vec3::zeros()).then_some(viewpoint).or(options.origin);
     sink(scan_of_points(path, points, origin)?)
 }
 

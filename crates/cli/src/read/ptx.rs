@@ -28,7 +28,7 @@ pub fn read(path: &Path, bar: &ProgressBar, sink: Sink) -> Result<()> {
             cells.iter().filter_map(|c| c.point).map(|p| Beam { offset: rotation * p, returned: true }).collect();
         beams.extend(missing_directions(&cells).iter().map(|d| Beam { offset: rotation * d, returned: false }));
         let name = if number == 1 { stem(path) } else { format!("{} #{number}", stem(path)) };
-        sink(RawScan { name, sensor: None, world_from_scan: Some(quaternion(&rotation)), anchor, beams })?;
+        sink(RawScan { name, sensor: None, world_from_scan: Some(quaternion(&rotation)), anchor, beams, unusable: 0 })?;
     }
     if number == 0 {
         bail!("it holds no scan");

@@ -9,7 +9,9 @@ pub(super) const TY: &str = "ab_scan";
 
 /// How far the beams' hull is grown on every side. A surface up to this far behind the returns is still joined
 /// with them by `&&`, so that an object built in front of where it was drawn is found; the widest search band.
-pub const JOIN_MARGIN_M: f64 = 0.150;
+pub const JOIN_MARGIN_M: f64 = 0.25;
+/// A beam without return counts as having looked this far: the hull of a patch reaches there.
+pub const NO_RETURN_REACH_M: f64 = 30.0;
 
 /// Header of a patch: fixed size, readable alone.
 ///
@@ -60,6 +62,20 @@ impl Header {
     /// Whether the points were seen from [`Header::origin`].
     pub fn has_origin(&self) -> bool {
         self.flags & Self::FLAG_NO_ORIGIN == 0
+    }
+
+    /// Whether two headers say the same, but for rounding in the last digits of what is computed.
+    pub(super) fn agrees_with(&self, o: &Self) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-6 * (1.0 + b.abs() * 1e-3);
+        let boxes = [(&self.points, &o.points), (&self.hull, &o.hull)];
+        let same_boxes =
+            boxes.iter().all(|(a, b)| (0..3).all(|i| near(a.min[i], b.min[i]) && near(a.max[i], b.max[i])));
+        let exact = |h: &Self| (h.flags, h.beams, h.returns, h.payload_len, h.checksum, h.station);
+        exact(self) == exact(o)
+            && same_boxes
+            && (0..2).all(|i| near(f64::from(self.range[i]), f64::from(o.range[i])))
+            && (self.cone.axis - o.cone.axis).norm() <= 1e-6
+            && near(self.cone.half_angle, o.cone.half_angle)
     }
 
     pub(super) fn write(&self, out: &mut Vec<u8>) {

@@ -13,7 +13,7 @@ mod tile;
 mod view;
 
 pub use cone::Cone;
-pub use header::{Header, JOIN_MARGIN_M};
+pub use header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M};
 pub use patch::{Beam, Patch};
 pub use tile::{MAX_BEAMS, mean_step, tiles};
 pub use view::View;

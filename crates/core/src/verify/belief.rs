@@ -33,7 +33,7 @@ pub struct SampleBelief {
     pub stations: u32,
     /// Whether so many beams spoke that belief could reach the confidence, had they all said the same.
     pub seen: bool,
-    /// Conflict between stations.
+    /// Mean conflict between pairs of stations.
     pub conflict: f64,
 }
 
@@ -50,6 +50,11 @@ struct Accumulator {
     precision: f64,
     beams: u32,
     stations: u32,
+    /// For the conflict between pairs of stations: how many, Σo, Σe, Σoe.
+    spoke: f64,
+    sum_occupied: f64,
+    sum_empty: f64,
+    sum_product: f64,
 }
 
 impl Evidence {
@@ -63,30 +68,43 @@ impl Evidence {
         for (b, block) in self.samples.blocks.iter().enumerate() {
             poll(interrupt)?;
             let normal = &self.samples.normals[block.face as usize];
+            let heard = self.heard(b);
             for i in 0..block.len as usize {
-                visit(&self.samples.position(block.start as usize + i), normal, &self.belief(b, i, model));
+                let position = self.samples.position(block.start as usize + i);
+                visit(&position, normal, &belief(&heard, i, &position, normal, model));
             }
         }
         Ok(())
     }
 
-    /// Belief at sample `i` of block `b`, with the tolerance of `model` (which may ask for another level of
-    /// accuracy than the evidence was made for).
-    pub(super) fn belief(&self, b: usize, i: usize, model: &EvidenceModel) -> SampleBelief {
-        let mut acc = Accumulator::new();
-        let block = &self.samples.blocks[b];
-        let normal = &self.samples.normals[block.face as usize];
-        let position = self.samples.position(block.start as usize + i);
-        for station in &self.stations {
-            let Some(sums) = station.blocks[b].as_ref().map(|s| &s[i]).filter(|s| !s.is_empty()) else { continue };
-            acc.beams = acc.beams.saturating_add(sums.beams);
-            match model.kind {
-                ModelKind::Surface => acc.add_surface(station, sums, &position, normal, model),
-                ModelKind::Meyer2022 => acc.add_rays(sums),
-            }
-        }
-        acc.finish(model)
+    /// The stations that spoke about block `b`, with their sums.
+    pub(super) fn heard(&self, b: usize) -> Vec<(&Station, &[Sums])> {
+        self.stations.iter().filter_map(|s| Some((s, &**s.blocks.get(&(b as u32))?))).collect()
     }
+}
+
+/// Belief at sample `i` of the block that the stations `heard` spoke about, with the tolerance of `model` (which may
+/// ask for another level of accuracy than the evidence was made for).
+pub(super) fn belief(
+    heard: &[(&Station, &[Sums])],
+    i: usize,
+    position: &Vec3,
+    normal: &Vec3,
+    model: &EvidenceModel,
+) -> SampleBelief {
+    let mut acc = Accumulator::new();
+    for (station, sums) in heard {
+        let sums = &sums[i];
+        if sums.is_empty() {
+            continue;
+        }
+        acc.beams = acc.beams.saturating_add(sums.beams);
+        match model.kind {
+            ModelKind::Surface => acc.add_surface(station, sums, position, normal, model),
+            ModelKind::Meyer2022 => acc.add_rays(sums),
+        }
+    }
+    acc.finish(model)
 }
 
 impl Accumulator {
@@ -101,6 +119,10 @@ impl Accumulator {
             precision: 0.0,
             beams: 0,
             stations: 0,
+            spoke: 0.0,
+            sum_occupied: 0.0,
+            sum_empty: 0.0,
+            sum_product: 0.0,
         }
     }
 
@@ -121,7 +143,7 @@ impl Accumulator {
         // 1 − h·Φ((T+d)/σ), with Φ((T+d)/σ) = 1 − Φ((−T−d)/σ).
         let empty = trust * (1.0 - hit_share * (1.0 - down));
         let mass = Mass { occupied, empty, unknown: (1.0 - occupied - empty).max(1.0 - model.reliability) };
-        self.commonality.add(&mass.log_commonality());
+        self.add_mass(&mass);
         self.not_in_front *= 1.0 - IN_FRONT_RELIABILITY * trust * hit_share * (1.0 - up);
         self.not_covered *= 1.0 - trust;
         self.hit += r.hit;
@@ -129,25 +151,41 @@ impl Accumulator {
         if r.hit > 0.0 {
             // Sums count towards the scanner; the value reported counts along the outward normal.
             let outward = if sight.dot(normal) <= 0.0 { r.deviation } else { -r.deviation };
-            let weight = r.hit.min(1.0) / (sigma * sigma);
+            let own = (sigma * sigma - model.sigma_model.powi(2)).max(1e-12);
+            let weight = r.hit.min(1.0) / own;
             self.weighted_deviation += weight * outward;
             self.precision += weight;
             self.stations += 1;
         }
     }
 
+    fn add_mass(&mut self, mass: &Mass) {
+        self.commonality.add(&mass.log_commonality());
+        self.spoke += 1.0;
+        self.sum_occupied += mass.occupied;
+        self.sum_empty += mass.empty;
+        self.sum_product += mass.occupied * mass.empty;
+    }
+
+    /// Mean of Shafer's conflict over the pairs of stations. (The conflict of all together grows with their number
+    /// although they agree.)
+    fn conflict(&self) -> f64 {
+        let pairs = 0.5 * self.spoke * (self.spoke - 1.0);
+        if pairs > 0.0 { ((self.sum_occupied * self.sum_empty - self.sum_product) / pairs).max(0.0) } else { 0.0 }
+    }
+
     fn add_rays(&mut self, sums: &Sums) {
-        let q = ray_sums::reading(sums);
-        let own = q.mass().unwrap_or(Mass::VACUOUS);
-        self.commonality.add(&q);
+        let own = ray_sums::reading(sums).mass().unwrap_or(Mass::VACUOUS);
+        self.add_mass(&own);
         self.not_covered *= own.unknown;
         self.hit += own.occupied;
         self.through += own.empty;
     }
 
     fn finish(self, model: &EvidenceModel) -> SampleBelief {
-        let deviation =
-            (self.precision > 0.0).then(|| (self.weighted_deviation / self.precision, self.precision.sqrt().recip()));
+        // The model's own error is common to all stations.
+        let sd = || self.precision.sqrt().recip().hypot(model.sigma_model);
+        let deviation = (self.precision > 0.0).then(|| (self.weighted_deviation / self.precision, sd()));
         let spoke = self.hit + self.through;
         SampleBelief {
             mass: self.commonality.mass().unwrap_or(Mass::VACUOUS),
@@ -161,7 +199,7 @@ impl Accumulator {
                     ModelKind::Surface => model.confidence,
                     ModelKind::Meyer2022 => SEEN_BY_RAYS,
                 },
-            conflict: self.commonality.conflict(),
+            conflict: self.conflict(),
         }
     }
 }

@@ -40,8 +40,8 @@ impl Collector {
     }
 
     /// Adds evidence from another collector of the same solid.
-    pub fn merge(&mut self, other: &Evidence) -> Result<()> {
-        self.evidence.merge(other)
+    pub fn merge(&mut self, other: &Evidence, interrupt: Interrupt) -> Result<()> {
+        self.evidence.merge(other, interrupt)
     }
 
     /// Whether a patch can say anything, by its header alone.
@@ -51,7 +51,7 @@ impl Collector {
         let radius = 0.5 * bounds.diagonal();
         header.has_origin()
             && offset.norm() - radius <= self.reach(header)
-            && header.cone.meets_ball(&offset, radius, self.margin(header))
+            && header.cone.meets_ball(&offset, radius + self.kernel_radius(), self.margin(header))
     }
 
     /// Adds what a packed patch says. Patches without origin say nothing yet (see docs/method.md).
@@ -95,7 +95,7 @@ impl Collector {
         speak: impl Fn(&Vec3, &Vec3, &mut Sums),
     ) -> Result<()> {
         let header = &view.header;
-        let (margin, reach) = (self.margin(header), self.reach(header));
+        let (margin, reach, kernel) = (self.margin(header), self.reach(header), self.kernel_radius());
         let station = self.evidence.station_index(header.station, header.origin);
         let Evidence { samples, stations, .. } = &mut self.evidence;
         let scanner = header.origin - samples.reference;
@@ -106,19 +106,22 @@ impl Collector {
             let behind = offset.dot(normal) > *radius;
             if offset.norm() - radius > reach
                 || (facing_only && behind && !samples.two_sided)
-                || !header.cone.meets_ball(&offset, *radius, margin)
+                || !header.cone.meets_ball(&offset, radius + kernel, margin)
             {
                 continue;
             }
             if i % 16 == 0 {
                 poll(interrupt)?;
             }
-            let slot = &mut stations[station].blocks[i];
-            let mut sums = slot.take().unwrap_or_else(|| vec![Sums::default(); block.len as usize].into());
+            let blocks = &mut stations[station].blocks;
+            let mut sums =
+                blocks.remove(&(i as u32)).unwrap_or_else(|| vec![Sums::default(); block.len as usize].into());
             gather_block(samples, block, &scanner, normal, &speak, &mut sums);
-            *slot = sums.iter().any(|s| !s.is_empty()).then_some(sums);
+            if sums.iter().any(|s| !s.is_empty()) {
+                blocks.insert(i as u32, sums);
+            }
         }
-        if stations[station].blocks.iter().all(Option::is_none) {
+        if stations[station].blocks.is_empty() {
             stations.remove(station);
         }
         Ok(())
@@ -128,14 +131,22 @@ impl Collector {
     /// beam at the steepest admitted incidence sees it.
     fn reach(&self, header: &Header) -> f64 {
         let model = &self.evidence.model;
-        let behind = model.band() / model.max_incidence.cos();
-        let returns = f64::from(header.range[1]) + behind;
+        let behind = model.band_in_front() / model.max_incidence.cos();
+        let returns = f64::from(header.range[1]) + behind + self.kernel_radius();
         if header.flags & Header::FLAG_NO_RETURNS != 0 { returns.max(model.no_return_range) } else { returns }
     }
 
     /// Angle beyond the patch's cone within which a sample still hears its beams, radians.
     fn margin(&self, header: &Header) -> f64 {
-        (surface_sums::KERNEL_SPACINGS * f64::from(header.step)).max(0.01)
+        surface_sums::KERNEL_SPACINGS * f64::from(header.step) + 1e-6
+    }
+
+    /// The same as a length, for the model whose kernel is one.
+    fn kernel_radius(&self) -> f64 {
+        match self.evidence.model.kind {
+            ModelKind::Surface => 0.0,
+            ModelKind::Meyer2022 => ray_sums::reach(&self.evidence.model),
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::geometry::Vec3;
 use crate::num::stats::{median, median_and_spread};
+use crate::{Interrupt, Result, poll};
 
 /// Steepest slope of a built face against the drawn one, about 5°. What lies steeper before a face is another
 /// surface that hides it: the wall it abuts on, a cupboard seen from the side.
@@ -25,13 +26,13 @@ pub struct Consensus {
 impl Consensus {
     /// Robust fit to positions and deviations, metres: least median of residuals over planes through three samples
     /// (Rousseeuw 1984), bettered by Tukey's biweight. `None` without samples.
-    pub fn fit(normal: &Vec3, observed: &[(Vec3, f64)]) -> Option<Self> {
-        let first = observed.first()?.0;
+    pub fn fit(normal: &Vec3, observed: &[(Vec3, f64)], interrupt: Interrupt) -> Result<Option<Self>> {
+        let Some(first) = observed.first().map(|o| o.0) else { return Ok(None) };
         let helper = if normal.z.abs() < 0.9 { Vec3::z() } else { Vec3::x() };
         let u = helper.cross(normal).normalize();
         let mut start = Self { origin: first, axes: [u, normal.cross(&u)], plane: Vector3::zeros() };
-        start.plane.x = median(&mut observed.iter().map(|o| o.1).collect::<Vec<_>>())?;
-        start.least_median(observed).bettered(observed)
+        start.plane.x = median(&mut observed.iter().map(|o| o.1).collect::<Vec<_>>()).unwrap_or(0.0);
+        start.least_median(observed).bettered(observed, interrupt)
     }
 
     fn least_median(self, observed: &[(Vec3, f64)]) -> Self {
@@ -58,10 +59,12 @@ impl Consensus {
         best.1
     }
 
-    fn bettered(mut self, observed: &[(Vec3, f64)]) -> Option<Self> {
+    fn bettered(mut self, observed: &[(Vec3, f64)], interrupt: Interrupt) -> Result<Option<Self>> {
         for _ in 0..ROUNDS {
+            poll(interrupt)?;
             let mut residuals: Vec<f64> = observed.iter().map(|(p, d)| self.residual(p, *d)).collect();
-            let scale = 4.685 * median_and_spread(&mut residuals)?.1.max(2e-4);
+            let spread = median_and_spread(&mut residuals).map_or(0.0, |m| m.1);
+            let scale = 4.685 * spread.max(2e-4);
             let (mut normal_matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
             for (p, d) in observed {
                 let r = self.residual(p, *d) / scale;
@@ -71,10 +74,10 @@ impl Consensus {
                 right += row * (w * d);
             }
             // A strip of samples has no slope across: the pseudo-inverse leaves it at zero.
-            let inverse = normal_matrix.pseudo_inverse(1e-6 * normal_matrix.norm()).ok()?;
+            let Ok(inverse) = normal_matrix.pseudo_inverse(1e-6 * normal_matrix.norm()) else { return Ok(None) };
             self.plane = inverse * right;
         }
-        Some(self)
+        Ok(Some(self))
     }
 
     fn row(&self, p: &Vec3) -> Vector3<f64> {
@@ -96,6 +99,7 @@ impl Consensus {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::NEVER;
 
     fn grid(d: impl Fn(f64, f64) -> f64) -> Vec<(Vec3, f64)> {
         (0..400)
@@ -107,7 +111,7 @@ mod tests {
     #[test]
     fn tilted_face_with_a_shelf_before_it() {
         let shelf = |y: f64, z: f64| if y < 0.7 { 0.09 } else { 0.002 + 0.02 * z };
-        let c = Consensus::fit(&Vec3::x(), &grid(shelf)).unwrap();
+        let c = Consensus::fit(&Vec3::x(), &grid(shelf), NEVER).unwrap().unwrap();
         assert!(c.is_face());
         assert!(c.residual(&Vec3::new(3.0, 1.5, 1.0), 0.022).abs() < 1e-3);
         assert!(c.residual(&Vec3::new(3.0, 0.2, 1.0), 0.09) > 0.05);
@@ -115,9 +119,9 @@ mod tests {
 
     #[test]
     fn a_neighbour_that_hides_the_face_is_not_the_face() {
-        let c = Consensus::fit(&Vec3::x(), &grid(|y, _| 0.2 * y)).unwrap();
+        let c = Consensus::fit(&Vec3::x(), &grid(|y, _| 0.2 * y), NEVER).unwrap().unwrap();
         assert!(!c.is_face());
-        assert!(Consensus::fit(&Vec3::x(), &[]).is_none());
-        assert!(Consensus::fit(&Vec3::z(), &[(Vec3::zeros(), 0.01)]).unwrap().is_face());
+        assert!(Consensus::fit(&Vec3::x(), &[], NEVER).unwrap().is_none());
+        assert!(Consensus::fit(&Vec3::z(), &[(Vec3::zeros(), 0.01)], NEVER).unwrap().unwrap().is_face());
     }
 }

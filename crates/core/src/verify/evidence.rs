@@ -1,38 +1,49 @@
 //! Evidence as a value: samples and, per station, the sums that belief is made from.
 
+use std::collections::BTreeMap;
+
 use super::model::EvidenceModel;
 use super::sample::Samples;
 use super::sums::Sums;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
+use crate::{Interrupt, poll_now_and_then};
 
-/// What one station's beams add up to, by block of samples; blocks it never saw are `None`.
+/// What one station's beams add up to, by block of samples; blocks it never saw are absent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Station {
     /// The station's number, as in its patches.
     pub id: i64,
     /// Where its beams start, world metres. With the number, what tells stations apart.
     pub origin: Vec3,
-    pub(super) blocks: Vec<Option<Box<[Sums]>>>,
+    pub(super) blocks: BTreeMap<u32, Box<[Sums]>>,
 }
 
 impl Station {
-    fn new(id: i64, origin: Vec3, blocks: usize) -> Self {
-        Self { id, origin, blocks: vec![None; blocks] }
+    pub(super) fn new(id: i64, origin: Vec3) -> Self {
+        Self { id, origin, blocks: BTreeMap::new() }
+    }
+
+    /// Order of stations in a value: by number, then by place.
+    pub(super) fn key(&self) -> (i64, [u64; 3]) {
+        (self.id, self.origin.map(f64::to_bits).into())
     }
 
     fn is(&self, id: i64, origin: &Vec3) -> bool {
         self.id == id && self.origin == *origin
     }
 
-    fn add(&mut self, other: &Self) {
-        for (mine, theirs) in self.blocks.iter_mut().zip(&other.blocks) {
-            match (mine.as_mut(), theirs) {
-                (Some(m), Some(t)) => m.iter_mut().zip(t.iter()).for_each(|(a, b)| a.add(b)),
-                (None, Some(t)) => *mine = Some(t.clone()),
-                (_, None) => {}
+    fn add(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
+        for (round, (block, theirs)) in other.blocks.iter().enumerate() {
+            poll_now_and_then(round, interrupt)?;
+            match self.blocks.get_mut(block) {
+                Some(mine) => mine.iter_mut().zip(theirs.iter()).for_each(|(a, b)| a.add(b)),
+                None => {
+                    self.blocks.insert(*block, theirs.clone());
+                }
             }
         }
+        Ok(())
     }
 }
 
@@ -87,18 +98,14 @@ impl Evidence {
         if let Some(i) = self.stations.iter().position(|s| s.is(id, &origin)) {
             return i;
         }
-        let key = |s: &Station| (s.id, s.origin.map(f64::to_bits));
-        let fresh = Station::new(id, origin, self.samples.blocks.len());
-        let at = self.stations.partition_point(|s| {
-            let (a, b) = (key(s), key(&fresh));
-            (a.0, a.1.x, a.1.y, a.1.z) < (b.0, b.1.x, b.1.y, b.1.z)
-        });
+        let fresh = Station::new(id, origin);
+        let at = self.stations.partition_point(|s| s.key() < fresh.key());
         self.stations.insert(at, fresh);
         at
     }
 
     /// Adds evidence about the same solid. Sums are integers: the result does not depend on order or grouping.
-    pub fn merge(&mut self, other: &Self) -> Result<()> {
+    pub fn merge(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
         let mismatch = |reason: &str| Err(Error::Mismatch { reason: reason.into() });
         if self.fingerprint != other.fingerprint {
             return mismatch("they are about different solids");
@@ -111,7 +118,7 @@ impl Evidence {
         }
         for theirs in &other.stations {
             let i = self.station_index(theirs.id, theirs.origin);
-            self.stations[i].add(theirs);
+            self.stations[i].add(theirs, interrupt)?;
         }
         Ok(())
     }

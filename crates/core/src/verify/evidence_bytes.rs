@@ -6,12 +6,13 @@
 //! (varint, difference) and per sample the beams (varint) and, unless 0, five signed varints.
 
 use super::evidence::{Evidence, EvidenceHeader, Station};
-use super::model::EvidenceModel;
+use super::model::{EvidenceModel, ModelKind};
 use super::sample::{BLOCK, Block, Samples};
 use super::sums::Sums;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::num::bytes::{Put, Reader};
+use crate::{Interrupt, poll_now_and_then};
 
 const TY: &str = "ab_evidence";
 
@@ -49,8 +50,8 @@ impl Evidence {
         Ok(EvidenceHeader { bounds: h.bounds, samples: h.counts[2], stations: h.counts[3], model: h.model })
     }
 
-    /// Reads bytes, foreign ones too: nothing is allocated beyond what they can fill, nothing read past them.
-    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+    /// Reads bytes, foreign ones too: nothing is read past them, and no more is allocated than `MAX_SUMS` allows.
+    pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
         let (mut r, h) = read_header(bytes)?;
         let [faces, blocks, samples, stations] = h.counts.map(|c| c as usize);
         let least = 24 * faces as u64 + 2 * blocks as u64 + 12 * samples as u64 + 36 * stations as u64;
@@ -61,7 +62,13 @@ impl Evidence {
         let blocks = read_blocks(&mut r, blocks, faces, samples)?;
         let positions = (0..samples).map(|_| finite_position(&mut r)).collect::<Result<Vec<_>>>()?;
         let samples = Samples { reference: h.reference, positions, normals, blocks, two_sided: h.two_sided };
-        let stations = (0..stations).map(|_| read_station(&mut r, &samples)).collect::<Result<Vec<_>>>()?;
+        let mut room = MAX_SUMS;
+        let stations = (0..stations)
+            .map(|_| read_station(&mut r, &samples, h.model.kind, &mut room, interrupt))
+            .collect::<Result<Vec<_>>>()?;
+        if stations.windows(2).any(|w| w[0].key() >= w[1].key()) {
+            return Err(r.bad("its stations are not in order"));
+        }
         r.finish()?;
         Ok(Self { model: h.model, fingerprint: h.fingerprint, bounds: h.bounds, samples, stations })
     }
@@ -110,27 +117,29 @@ fn finite_position(r: &mut Reader) -> Result<[f32; 3]> {
 }
 
 fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize) -> Result<Vec<Block>> {
-    let mut start = 0;
+    let mut start = 0u64;
     let mut out = Vec::with_capacity(count);
     for _ in 0..count {
         let (face, len) = (r.varint()?, u32::from(r.u8()?));
         if face >= faces as u64 || len == 0 || len as usize > BLOCK {
             return Err(r.bad(format!("a block of {len} samples on face {face} of {faces}")));
         }
-        out.push(Block { start, len, face: face as u32 });
-        start += len;
+        out.push(Block { start: start as u32, len, face: face as u32 });
+        start += u64::from(len);
+        if start > samples as u64 {
+            break;
+        }
     }
-    if start as usize == samples { Ok(out) } else { Err(r.bad("its blocks do not hold its samples")) }
+    if start == samples as u64 { Ok(out) } else { Err(r.bad("its blocks do not hold its samples")) }
 }
 
 fn write_station(station: &Station, out: &mut Vec<u8>) {
     out.put_i64(station.id);
     out.put_vec3(&station.origin);
-    out.put_u32(station.blocks.iter().flatten().count() as u32);
+    out.put_u32(station.blocks.len() as u32);
     let mut next = 0;
-    for (i, sums) in station.blocks.iter().enumerate() {
-        let Some(sums) = sums else { continue };
-        out.put_varint((i - next) as u64);
+    for (&i, sums) in &station.blocks {
+        out.put_varint(u64::from(i - next));
         next = i + 1;
         for s in sums.iter() {
             out.put_varint(u64::from(s.beams));
@@ -141,26 +150,41 @@ fn write_station(station: &Station, out: &mut Vec<u8>) {
     }
 }
 
-fn read_station(r: &mut Reader, samples: &Samples) -> Result<Station> {
+/// Most sums (48 bytes each in memory) of one value: five million samples seen from six stations.
+const MAX_SUMS: usize = 32_000_000;
+
+fn read_station(
+    r: &mut Reader,
+    samples: &Samples,
+    kind: ModelKind,
+    room: &mut usize,
+    interrupt: Interrupt,
+) -> Result<Station> {
     let id = r.i64()?;
     let origin = r.vec3()?;
     if !origin.iter().all(|c| c.is_finite()) {
         return Err(r.bad("a station's origin is not finite"));
     }
-    let mut station = Station { id, origin, blocks: vec![None; samples.blocks.len()] };
+    let mut station = Station::new(id, origin);
     let present = r.u32()?;
+    if present == 0 {
+        return Err(r.bad("a station that saw nothing"));
+    }
     let mut next = 0u64;
-    for _ in 0..present {
+    for round in 0..present {
+        poll_now_and_then(round as usize, interrupt)?;
         let i = next.saturating_add(r.varint()?);
-        let block = samples.blocks.get(i as usize).ok_or_else(|| r.bad(format!("sums for block {i}")))?;
-        let sums = (0..block.len).map(|_| read_sums(r)).collect::<Result<Box<[Sums]>>>()?;
-        station.blocks[i as usize] = Some(sums);
+        let place = usize::try_from(i).unwrap_or(usize::MAX);
+        let block = samples.blocks.get(place).ok_or_else(|| r.bad(format!("sums for block {i}")))?;
+        *room = room.checked_sub(block.len as usize).ok_or_else(|| r.bad(format!("more than {MAX_SUMS} sums")))?;
+        let sums = (0..block.len).map(|_| read_sums(r, kind)).collect::<Result<Box<[Sums]>>>()?;
+        station.blocks.insert(i as u32, sums);
         next = i + 1;
     }
     Ok(station)
 }
 
-fn read_sums(r: &mut Reader) -> Result<Sums> {
+fn read_sums(r: &mut Reader, kind: ModelKind) -> Result<Sums> {
     let beams = u32::try_from(r.varint()?).map_err(|_| r.bad("too many beams"))?;
     let mut parts = [0; 5];
     if beams > 0 {
@@ -168,5 +192,12 @@ fn read_sums(r: &mut Reader) -> Result<Sums> {
             *p = r.varint_signed()?;
         }
     }
-    Ok(Sums { beams, parts })
+    let [a, b, c, _, through] = parts;
+    let possible = match kind {
+        // Weights are positive, and no beam weighs more than 1.
+        ModelKind::Surface => a >= 0 && b >= 0 && through >= 0 && a.saturating_add(through) <= i64::from(beams) << 16,
+        // Logarithms of commonalities.
+        ModelKind::Meyer2022 => a <= 0 && b <= 0 && c <= a.min(b),
+    };
+    if possible { Ok(Sums { beams, parts }) } else { Err(r.bad("sums that no beams can add up to")) }
 }

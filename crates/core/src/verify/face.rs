@@ -1,6 +1,6 @@
 //! Judging one face: how its samples divide, and whether together they show it displaced.
 
-use super::belief::SampleBelief;
+use super::belief::{SampleBelief, belief};
 use super::consensus::Consensus;
 use super::evidence::Evidence;
 use super::model::EvidenceModel;
@@ -28,6 +28,8 @@ pub struct FaceReport {
     pub pierced: u64,
     /// Samples at which a surface was seen within the search band.
     pub surface: u64,
+    /// Most of the seen samples lie on one plane: the built face.
+    pub coherent: bool,
     /// The seen samples lie on one plane, and most of it beyond the tolerance.
     pub displaced: bool,
     /// Median deviation along the outward normal, metres, and its standard deviation.
@@ -37,6 +39,9 @@ pub struct FaceReport {
     /// Sum over seen samples of the conflict between stations.
     pub conflict: f64,
 }
+
+/// Part of the confidence that suffices for "in front" once the whole face agrees: by itself it is discounted.
+const IN_FRONT_SHARE: f64 = 0.8;
 
 impl FaceReport {
     /// Seen samples that are neither confirmed nor refuted.
@@ -56,26 +61,34 @@ impl Evidence {
             }
             let face = block.face as usize;
             totals[face] += u64::from(block.len);
-            if self.stations.iter().all(|s| s.blocks[b].is_none()) {
+            let heard = self.heard(b);
+            if heard.is_empty() {
                 continue;
             }
-            let at = |i: usize| (self.samples.local(block.start as usize + i), self.belief(b, i, model));
+            let normal = &self.samples.normals[face];
+            let at = |i: usize| {
+                let local = self.samples.local(block.start as usize + i);
+                (local, belief(&heard, i, &(local + self.samples.reference), normal, model))
+            };
             beliefs[face].extend((0..block.len as usize).map(at).filter(|(_, belief)| belief.seen));
         }
-        let face = |(i, b): (usize, &Vec<Seen>)| judge(self.samples.normals[i], totals[i], b, model);
-        Ok(beliefs.iter().enumerate().map(face).collect())
+        let face = |(i, b): (usize, &Vec<Seen>)| {
+            poll(interrupt)?;
+            judge(self.samples.normals[i], totals[i], b, model, interrupt)
+        };
+        beliefs.iter().enumerate().map(face).collect()
     }
 }
 
 /// A seen sample's position and belief.
 type Seen = (Vec3, SampleBelief);
 
-fn judge(normal: Vec3, samples: u64, seen: &[Seen], model: &EvidenceModel) -> FaceReport {
+fn judge(normal: Vec3, samples: u64, seen: &[Seen], model: &EvidenceModel, interrupt: Interrupt) -> Result<FaceReport> {
     let tolerance = model.tolerance();
     let observed: Vec<(Vec3, f64)> = seen.iter().filter_map(|(p, b)| b.deviation.map(|d| (*p, d.0))).collect();
     let surface = observed.len() as u64;
     let location = median_and_spread(&mut observed.iter().map(|o| o.1).collect::<Vec<_>>());
-    let on_plane = agreement(&normal, &observed, seen, tolerance);
+    let on_plane = agreement(&normal, &observed, seen, tolerance, interrupt)?;
     let displaced = on_plane.is_some() && location.is_some_and(|(centre, _)| centre.abs() > tolerance);
     let mut report = FaceReport {
         normal,
@@ -85,6 +98,7 @@ fn judge(normal: Vec3, samples: u64, seen: &[Seen], model: &EvidenceModel) -> Fa
         refuted: 0,
         pierced: 0,
         surface,
+        coherent: on_plane.is_some(),
         displaced,
         deviation: location.map(|(centre, spread)| (centre, median_sd(spread, surface).hypot(common_sd(seen, model)))),
         random_sd: location.map_or(0.0, |(_, spread)| median_sd(spread, surface)),
@@ -92,7 +106,8 @@ fn judge(normal: Vec3, samples: u64, seen: &[Seen], model: &EvidenceModel) -> Fa
     };
     for (position, b) in seen {
         // A surface in front of the face is no refutation by itself: furniture. One that is the face is.
-        let moved = b.in_front >= 0.8 * model.confidence && on_plane.as_ref().is_some_and(|agrees| agrees(position, b));
+        let moved = b.in_front >= IN_FRONT_SHARE * model.confidence
+            && on_plane.as_ref().is_some_and(|agrees| agrees(position, b));
         if b.mass.empty >= model.confidence || moved {
             report.refuted += 1;
             report.pierced += u64::from(!moved && b.pierced > 0.5);
@@ -100,7 +115,7 @@ fn judge(normal: Vec3, samples: u64, seen: &[Seen], model: &EvidenceModel) -> Fa
             report.confirmed += 1;
         }
     }
-    report
+    Ok(report)
 }
 
 /// Tells which samples lie on the built face, where most of the seen ones do.
@@ -109,13 +124,16 @@ fn agreement(
     observed: &[(Vec3, f64)],
     seen: &[Seen],
     tolerance: f64,
-) -> Option<impl Fn(&Vec3, &SampleBelief) -> bool> {
-    let consensus = Consensus::fit(normal, observed).filter(Consensus::is_face)?;
+    interrupt: Interrupt,
+) -> Result<Option<impl Fn(&Vec3, &SampleBelief) -> bool>> {
+    let Some(consensus) = Consensus::fit(normal, observed, interrupt)?.filter(Consensus::is_face) else {
+        return Ok(None);
+    };
     let agrees = move |position: &Vec3, b: &SampleBelief| {
         b.deviation.is_some_and(|(d, sd)| consensus.residual(position, d).abs() <= (0.25 * tolerance).max(3.0 * sd))
     };
     let agreeing = seen.iter().filter(|(p, b)| agrees(p, b)).count();
-    (agreeing as f64 >= MAJORITY * seen.len() as f64).then_some(agrees)
+    Ok((agreeing as f64 >= MAJORITY * seen.len() as f64).then_some(agrees))
 }
 
 /// Standard deviation of the median of `n` samples with this robust spread: 1.2533 σ/√n.

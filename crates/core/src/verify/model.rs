@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::evidence::{Loa, RayModel};
 use crate::num::bytes::{Put, Reader};
 use crate::num::text::number;
-use crate::scan::JOIN_MARGIN_M;
+use crate::scan::{JOIN_MARGIN_M, NO_RETURN_REACH_M};
 
 /// How beams become belief.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,7 +80,7 @@ impl Default for EvidenceModel {
             confidence: 0.95,
             reliability: 0.99,
             max_incidence: 80f64.to_radians(),
-            no_return_range: 30.0,
+            no_return_range: NO_RETURN_REACH_M,
             no_return_weight: 0.25,
             kappa: RayModel::LASER.kappa,
             lambda: RayModel::LASER.lambda,
@@ -101,9 +101,9 @@ const FIELDS: [Field; 13] = [
     ("confidence", |m| &mut m.confidence, 0.5, 0.9999, "between 0.5 and 0.9999"),
     ("reliability", |m| &mut m.reliability, 0.5, 0.999999, "between 0.5 and 0.999999"),
     ("max_incidence", |m| &mut m.max_incidence, 0.1, 1.55, "between 0.1 and 1.55 rad"),
-    ("no_return_range", |m| &mut m.no_return_range, 0.0, 1e4, "between 0 and 10000 m"),
+    ("no_return_range", |m| &mut m.no_return_range, 0.0, NO_RETURN_REACH_M, "between 0 and 30 m"),
     ("no_return_weight", |m| &mut m.no_return_weight, 0.0, 1.0, "between 0 and 1"),
-    ("kappa", |m| &mut m.kappa, 1.0, 1e12, "between 1 and 1e12 per m²"),
+    ("kappa", |m| &mut m.kappa, 1e3, 1e12, "between 1000 and 1e12 per square metre"),
     ("lambda", |m| &mut m.lambda, 1.0, 1e9, "between 1 and 1e9 per m"),
     ("c", |m| &mut m.c, 0.01, 100.0, "between 0.01 and 100"),
 ];
@@ -141,9 +141,16 @@ impl EvidenceModel {
         self.loa.upper()
     }
 
-    /// Half-width W of the search band around a face: returns within it are the face's surface, returns behind
-    /// it pierced the face. Wide enough to judge the next coarser classes too.
-    pub fn band(&self) -> f64 {
+    /// How far behind a face a return is still the face's surface, metres; farther behind, the beam pierced it. The
+    /// same for every level of accuracy, so that any can be asked of the same evidence, and beyond the coarsest
+    /// tolerance, so that what is displaced by more is still found.
+    pub fn band_behind(&self) -> f64 {
+        JOIN_MARGIN_M
+    }
+
+    /// How far in front of a face a return may be the face's surface, metres; farther in front it is something else
+    /// that hides it. No wider than the tolerance asks for: furniture stands there.
+    pub fn band_in_front(&self) -> f64 {
         (self.tolerance() + 0.05).clamp(0.1, JOIN_MARGIN_M)
     }
 

@@ -11,10 +11,15 @@ const LOGARITHM: f64 = (1u64 << 44) as f64;
 /// Beams whose mass is nowhere above this are left out.
 const LEAST_MASS: f64 = 1e-13;
 
+/// Distance across a beam within which it speaks, metres.
+pub fn reach(model: &EvidenceModel) -> f64 {
+    model.ray_model().reach(LEAST_MASS)
+}
+
 /// Adds the beams that pass near a sample; `offset` leads from the scanner to it.
 pub fn gather(view: &View, offset: &Vec3, model: &EvidenceModel, sums: &mut Sums) {
     let rays: RayModel = model.ray_model();
-    let reach = rays.reach(LEAST_MASS);
+    let reach = reach(model);
     let range = offset.norm();
     if range <= reach {
         return; // at the scanner itself

@@ -70,14 +70,14 @@ impl Shift {
         self.undetermined.iter().map(|u| u[axis] * u[axis]).sum::<f64>() < 0.75
     }
 
-    /// Text `(+0.0121, -, +0.0003) ± (0.0004, -, 0.0005)`, metres; `-` for an undetermined axis.
+    /// Text `(+0.0121, -, +0.0003) +/- (0.0004, -, 0.0005)`, metres; `-` for an undetermined axis.
     pub fn to_text(&self) -> String {
         let list = |f: &dyn Fn(usize) -> String| {
             [0, 1, 2].map(|i| if self.determines(i) { f(i) } else { "-".into() }).join(", ")
         };
         let values = list(&|i| format!("{:+.4}", self.vector[i]));
         let sds = list(&|i| format!("{:.4}", self.covariance[(i, i)].max(0.0).sqrt()));
-        format!("({values}) ± ({sds})")
+        format!("({values}) +/- ({sds})")
     }
 }
 
@@ -120,6 +120,7 @@ mod tests {
             refuted: 0,
             pierced: 0,
             surface,
+            coherent: true,
             displaced: false,
             deviation: Some((deviation, 0.0009)),
             random_sd: 0.0005,
@@ -133,7 +134,7 @@ mod tests {
         let faces = [face(Vec3::x(), 0.012, 1000), face(-Vec3::x(), -0.012, 900), jamb];
         let s = Shift::fit(&faces, &SurfacePoints::default(), 0.0007).unwrap();
         assert!((s.vector - Vec3::new(0.012, 0.0, 0.0)).norm() < 1e-9, "{}", s.vector);
-        assert_eq!(s.to_text(), "(+0.0120, -, -) ± (0.0008, -, -)");
+        assert_eq!(s.to_text(), "(+0.0120, -, -) +/- (0.0008, -, -)");
     }
 
     #[test]

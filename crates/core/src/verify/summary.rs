@@ -54,6 +54,8 @@ const MIN_DECIDED: f64 = 0.2;
 /// A face counts as well seen with this share of the object's samples that have a surface.
 const WELL_SEEN_SHARE: f64 = 0.03;
 const WELL_SEEN_SAMPLES: u64 = 10;
+/// A face with this share of the seen samples can condemn the object by being refuted, however.
+const LARGE_FACE_SHARE: f64 = 0.1;
 
 /// Verdict with the numbers that led to it: SQL's `ab_summary`.
 #[derive(Debug, Clone, PartialEq)]
@@ -72,8 +74,6 @@ pub struct Summary {
     pub deviation: Option<(f64, f64)>,
     /// Rigid offset.
     pub shift: Option<Shift>,
-    /// The faces, as judged at the asked level.
-    pub faces: Vec<FaceReport>,
 }
 
 /// How the seen samples divide.
@@ -121,13 +121,23 @@ impl Evidence {
         Ok(decide(&faces, &Totals::of(&faces), model, rule))
     }
 
+    /// Every face as judged at the level of accuracy and confidence of `model`.
+    pub fn faces(&self, model: &EvidenceModel, interrupt: Interrupt) -> Result<Vec<FaceReport>> {
+        self.face_reports(&self.question(model), interrupt)
+    }
+
+    /// The rigid offset; `None` where no face determines one.
+    pub fn rigid_shift(&self, interrupt: Interrupt) -> Result<Option<Shift>> {
+        self.shift(&self.faces(&self.model, interrupt)?, &self.model, interrupt)
+    }
+
     /// Verdict, shares, deviation, rigid offset and best level of accuracy.
     pub fn summary(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Summary> {
         let model = self.question(model);
         let faces = self.face_reports(&model, interrupt)?;
         let totals = Totals::of(&faces);
         let verdict = decide(&faces, &totals, &model, rule);
-        let best_loa = self.best_loa(&model, verdict, rule, interrupt)?;
+        let best_loa = self.best_loa(&model, verdict, covered(&totals, rule), rule, interrupt)?;
         let seen = totals.seen as f64;
         let shares = (totals.seen > 0).then(|| Shares {
             confirmed: totals.confirmed as f64 / seen,
@@ -136,7 +146,7 @@ impl Evidence {
             conflict: totals.conflict / seen,
         });
         // Surfaces met where an absent object should stand are not its own.
-        let built = !matches!(verdict, Verdict::Absent | Verdict::Unobserved);
+        let built = verdict != Verdict::Absent && covered(&totals, rule);
         let deviation = worst_face(&faces, &totals).filter(|_| built).and_then(|f| f.deviation);
         let shift = if built { self.shift(&faces, &model, interrupt)? } else { None };
         Ok(Summary {
@@ -147,7 +157,6 @@ impl Evidence {
             shares,
             deviation,
             shift,
-            faces,
         })
     }
 
@@ -169,14 +178,16 @@ impl Evidence {
         &self,
         model: &EvidenceModel,
         verdict: Verdict,
+        covered: bool,
         rule: &VerdictRule,
         interrupt: Interrupt,
     ) -> Result<Option<Loa>> {
-        if verdict == Verdict::Unobserved || (model.kind == ModelKind::Meyer2022 && verdict != Verdict::Confirmed) {
+        if !covered || verdict == Verdict::Absent {
             return Ok(None);
         }
         if model.kind == ModelKind::Meyer2022 {
-            return Ok(Some(model.loa)); // its masses do not know the tolerance
+            // Its masses do not know the tolerance.
+            return Ok((verdict == Verdict::Confirmed).then_some(model.loa));
         }
         for loa in Loa::ALL.into_iter().rev() {
             let confirmed = match loa == model.loa {
@@ -191,14 +202,17 @@ impl Evidence {
     }
 }
 
+/// Whether enough was seen to judge at all.
+fn covered(totals: &Totals, rule: &VerdictRule) -> bool {
+    totals.seen > 0
+        && totals.seen >= MIN_SEEN.min(totals.samples)
+        && totals.seen as f64 >= rule.min_coverage * totals.samples as f64
+}
+
 fn decide(faces: &[FaceReport], totals: &Totals, model: &EvidenceModel, rule: &VerdictRule) -> Verdict {
     let decided = totals.confirmed + totals.refuted;
     let seen = totals.seen as f64;
-    if totals.seen < MIN_SEEN.min(totals.samples)
-        || seen < rule.min_coverage * totals.samples as f64
-        || (decided as f64) < MIN_DECIDED * seen
-        || decided == 0
-    {
+    if !covered(totals, rule) || (decided as f64) < MIN_DECIDED * seen || decided == 0 {
         return Verdict::Unobserved;
     }
     // The ray model's conflict counts every beam against every other and says nothing of stations.
@@ -209,8 +223,8 @@ fn decide(faces: &[FaceReport], totals: &Totals, model: &EvidenceModel, rule: &V
     if totals.pierced as f64 > 0.5 * decided {
         return Verdict::Absent;
     }
-    let displaced = faces.iter().any(|f| well_seen(f, totals) && f.displaced);
-    if displaced || (totals.confirmed as f64) < rule.min_confirmed * decided {
+    let worst = faces.iter().any(|f| (well_seen(f, totals) && f.displaced) || mostly_refuted(f, totals));
+    if worst || (totals.confirmed as f64) < rule.min_confirmed * decided {
         return Verdict::Deviating;
     }
     Verdict::Confirmed
@@ -221,8 +235,22 @@ fn well_seen(face: &FaceReport, totals: &Totals) -> bool {
         && face.surface as f64 >= WELL_SEEN_SHARE * totals.surface as f64
 }
 
-/// The well-seen face that is farthest off; the object is no better than it.
+/// A face with a fair share of what was seen, most of it refuted: part of the object is not where it was drawn.
+fn mostly_refuted(face: &FaceReport, totals: &Totals) -> bool {
+    let decided = (face.confirmed + face.refuted) as f64;
+    face.seen >= WELL_SEEN_SAMPLES
+        && face.seen as f64 >= LARGE_FACE_SHARE * totals.seen as f64
+        && decided >= 0.5 * face.seen as f64
+        && face.refuted as f64 > 0.5 * decided
+}
+
+/// The well-seen face that is farthest off; the object is no better than it. Faces whose samples lie on one plane go
+/// before those where they scatter.
 fn worst_face<'a>(faces: &'a [FaceReport], totals: &Totals) -> Option<&'a FaceReport> {
-    let off = |f: &FaceReport| f.deviation.map_or(0.0, |d| d.0.abs());
-    faces.iter().filter(|f| f.deviation.is_some() && well_seen(f, totals)).max_by(|a, b| off(a).total_cmp(&off(b)))
+    let off = |f: &FaceReport| (f.coherent, f.deviation.map_or(0.0, |d| d.0.abs()));
+    let order = |a: &&FaceReport, b: &&FaceReport| {
+        let (a, b) = (off(a), off(b));
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+    };
+    faces.iter().filter(|f| f.deviation.is_some() && well_seen(f, totals)).max_by(order)
 }

@@ -43,16 +43,16 @@ impl SurfacePoints {
         for (b, block) in samples.blocks.iter().enumerate() {
             poll(interrupt)?;
             let normal = &samples.normals[block.face as usize];
+            let heard = e.heard(b);
             for k in 0..block.len as usize {
                 let i = block.start as usize + k;
                 let local = samples.local(i);
                 if i.is_multiple_of(every_drawn) {
                     out.drawn.push(Drawn::new(local.into(), block.face));
                 }
-                for station in &e.stations {
+                for (station, sums) in &heard {
                     counter += 1;
-                    let sums = station.blocks[b].as_ref().map(|s| &s[k]);
-                    let reading = sums.and_then(SurfaceReading::of).filter(|r| r.hit > 2.0 * r.through && r.hit > 1.0);
+                    let reading = SurfaceReading::of(&sums[k]).filter(|r| r.hit > 2.0 * r.through && r.hit > 1.0);
                     if let (true, Some(r)) = (counter % every_built == 0, reading) {
                         let sight = local + samples.reference - station.origin;
                         let direction = sight.normalize();

@@ -17,7 +17,8 @@ const WEIGHT: f64 = 65_536.0;
 const DEVIATION: f64 = 131_072.0;
 /// Beyond this many spacings the kernel (1/16 there) is cut off.
 pub(super) const KERNEL_SPACINGS: f64 = 2.0;
-/// A crossing may lie this far, relative to its distance, off the sample's plane: a neighbouring facet of a curve.
+/// A crossing may lie this far off the sample's plane, relative to its distance across the sight line: a
+/// neighbouring facet of a curve.
 const MAX_RISE: f64 = 0.35;
 /// … and its normal turn by this much (cos 30°).
 const MIN_TURN_COS: f64 = 0.866;
@@ -43,7 +44,8 @@ enum Seen {
 
 /// Classifies every beam of the view against its crossing.
 pub fn encounters(view: &View, crossings: &Crossings, model: &EvidenceModel) -> Vec<Encounter> {
-    let (band, min_cos) = (model.band(), model.max_incidence.cos());
+    let (in_front, behind) = (model.band_in_front(), model.band_behind());
+    let min_cos = model.max_incidence.cos();
     (0..view.len())
         .map(|slot| {
             let (t, normal, range) = (crossings.distance[slot], crossings.normal[slot], view.ranges[slot]);
@@ -54,9 +56,9 @@ pub fn encounters(view: &View, crossings: &Crossings, model: &EvidenceModel) -> 
                 if t <= model.no_return_range { Seen::Through(model.no_return_weight) } else { Seen::Nothing }
             } else {
                 let deviation = (t - range) * cos;
-                if deviation > band {
+                if deviation > in_front {
                     Seen::Nothing
-                } else if deviation >= -band {
+                } else if deviation >= -behind {
                     Seen::Surface((deviation * DEVIATION).round() as i32)
                 } else {
                     Seen::Through(1.0)
@@ -84,8 +86,10 @@ pub fn gather(view: &View, encounters: &[Encounter], offset: &Vec3, normal: &Vec
             }
             let v = e.crossing - offset;
             let along = v.dot(&sight);
-            let across = (v.norm_squared() - along * along) * per_spacing;
-            if across > KERNEL_SPACINGS * KERNEL_SPACINGS || !same_surface(&v, &e.normal, normal) {
+            let lateral_squared = (v.norm_squared() - along * along).max(0.0);
+            let across = lateral_squared * per_spacing;
+            let near = across <= KERNEL_SPACINGS * KERNEL_SPACINGS;
+            if !near || !same_surface(&v, lateral_squared.sqrt(), &e.normal, normal) {
                 continue;
             }
             e.add((-across).exp2(), sums);
@@ -93,9 +97,10 @@ pub fn gather(view: &View, encounters: &[Encounter], offset: &Vec3, normal: &Vec
     }
 }
 
-fn same_surface(v: &Vec3, normal_there: &Vec3, normal_here: &Vec3) -> bool {
+/// Whether a crossing at `v` from the sample lies on the sample's own surface, not on a parallel one behind it.
+fn same_surface(v: &Vec3, lateral: f64, normal_there: &Vec3, normal_here: &Vec3) -> bool {
     let rise = v.dot(normal_here).abs();
-    normal_there.dot(normal_here) >= MIN_TURN_COS && (rise <= 0.002 || rise <= MAX_RISE * v.norm())
+    normal_there.dot(normal_here) >= MIN_TURN_COS && (rise <= 0.002 || rise <= MAX_RISE * lateral)
 }
 
 impl Encounter {
