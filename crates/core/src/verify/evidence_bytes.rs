@@ -150,8 +150,9 @@ fn write_station(station: &Station, out: &mut Vec<u8>) {
     }
 }
 
-/// Most sums (48 bytes each in memory) of one value: five million samples seen from six stations.
-const MAX_SUMS: usize = 32_000_000;
+/// Most sums (48 bytes each in memory) of one value: more than PostgreSQL's 1 GB holds at 16 bytes a sum, so that
+/// what was written can be read.
+const MAX_SUMS: usize = 64_000_000;
 
 fn read_station(
     r: &mut Reader,

@@ -212,12 +212,15 @@ fn covered(totals: &Totals, rule: &VerdictRule) -> bool {
 fn decide(faces: &[FaceReport], totals: &Totals, model: &EvidenceModel, rule: &VerdictRule) -> Verdict {
     let decided = totals.confirmed + totals.refuted;
     let seen = totals.seen as f64;
-    if !covered(totals, rule) || (decided as f64) < MIN_DECIDED * seen || decided == 0 {
+    if !covered(totals, rule) {
         return Verdict::Unobserved;
     }
-    // The ray model's conflict counts every beam against every other and says nothing of stations.
+    // Before "undecided": contradiction is what leaves samples open. The ray model's conflict says nothing of this kind.
     if model.kind == ModelKind::Surface && totals.conflict > rule.max_conflict * seen {
         return Verdict::Conflicting;
+    }
+    if decided == 0 || (decided as f64) < MIN_DECIDED * seen {
+        return Verdict::Unobserved;
     }
     let decided = decided as f64;
     if totals.pierced as f64 > 0.5 * decided {
