@@ -90,14 +90,7 @@ impl Args {
 
     /// At least the first `len` bytes (or all there are), without fetching the rest where that can be avoided.
     pub fn prefix(&self, i: usize, len: usize) -> &[u8] {
-        unsafe {
-            let v = self.varlena(i);
-            if pgrx::varlena::varatt_is_1b_e(v) || pgrx::varlena::varatt_is_4b_c(v) {
-                pgrx::varlena::varlena_to_byte_slice(pg_sys::pg_detoast_datum_slice(v, 0, len as i32))
-            } else {
-                pgrx::varlena::varlena_to_byte_slice(v)
-            }
-        }
+        unsafe { prefix_of(self.varlena(i), len) }
     }
 
     /// The value as it lies in the row, unfetched: equal bytes mean the same value.
@@ -140,5 +133,17 @@ impl Args {
     /// An `int4[]` with its dimensions.
     pub fn i32_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<i32>)> {
         unsafe { array::read(self.datum(i), what) }
+    }
+}
+
+/// At least the first `len` bytes of a value (or all there are); fetched or decompressed no further than that.
+///
+/// # Safety
+/// `v` must point to a variable-length value that outlives the slice.
+pub(super) unsafe fn prefix_of<'a>(v: *mut pg_sys::varlena, len: usize) -> &'a [u8] {
+    unsafe {
+        let stored_elsewhere = pgrx::varlena::varatt_is_1b_e(v) || pgrx::varlena::varatt_is_4b_c(v);
+        let v = if stored_elsewhere { pg_sys::pg_detoast_datum_slice(v, 0, len as i32) } else { v };
+        pgrx::varlena::varlena_to_byte_slice(v)
     }
 }

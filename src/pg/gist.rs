@@ -67,13 +67,7 @@ impl Args {
             if !(*entry).leafkey {
                 return Ok(Ret::Raw(entry.into()));
             }
-            let value: *mut pg_sys::varlena = (*entry).key.cast_mut_ptr();
-            let bytes = if pgrx::varlena::varatt_is_1b_e(value) || pgrx::varlena::varatt_is_4b_c(value) {
-                pg_sys::pg_detoast_datum_slice(value, 0, prefix as i32)
-            } else {
-                value
-            };
-            let key = key(pgrx::varlena::varlena_to_byte_slice(bytes))?;
+            let key = key(super::args::prefix_of((*entry).key.cast_mut_ptr(), prefix))?;
             let copy: *mut pg_sys::GISTENTRY = pg_sys::palloc(size_of::<pg_sys::GISTENTRY>()).cast();
             *copy = *entry;
             (*copy).key = super::ret::fixed(&key);
