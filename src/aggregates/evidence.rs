@@ -38,18 +38,22 @@ impl State {
 
     fn merge(&mut self, other: &Evidence) -> Result<()> {
         match self {
-            Self::Empty => *self = Self::Merged(Box::new(other.clone())),
-            Self::Collecting(c) => c.collector.merge(other, &interrupt)?,
-            Self::Merged(e) => e.merge(other, &interrupt)?,
+            Self::Empty => {
+                let mut copy = other.without_stations();
+                copy.merge(other, &interrupt)?;
+                *self = Self::Merged(Box::new(copy));
+                Ok(())
+            }
+            Self::Collecting(c) => c.collector.merge(other, &interrupt),
+            Self::Merged(e) => e.merge(other, &interrupt),
         }
-        Ok(())
     }
 
     /// The collector for the row's solid and model, made at the first row.
     fn collecting(&mut self, args: &Args) -> Result<&mut Collector> {
         let model = model_arg(args, 3)?;
         if matches!(self, Self::Empty) {
-            let solid = Solid::from_stored(args.bytes(1))?;
+            let solid = Solid::from_stored(args.bytes(1), &interrupt)?;
             let collector = Collector::new(&solid, model, &interrupt)?;
             *self = Self::Collecting(Box::new(Collecting { collector, raw_solid: args.raw(1).to_vec(), model }));
         }
@@ -68,7 +72,7 @@ impl State {
 
 /// Unequal bytes may still be the same solid, stored differently.
 fn same_solid(collector: &Collector, args: &Args) -> Result<bool> {
-    Ok(collector.evidence().fingerprint() == Solid::from_stored(args.bytes(1))?.fingerprint())
+    Ok(collector.evidence().fingerprint() == Solid::from_stored(args.bytes(1), &interrupt)?.fingerprint(&interrupt)?)
 }
 
 fn state(args: &Args, i: usize) -> Result<AggState<State>> {
@@ -100,7 +104,8 @@ sql_functions! {
 
     fn ab_evidence_serial(args) {
         let mut state = state(args, 0)?;
-        Ok(Ret::Bytes(state.get().evidence().map(Evidence::to_bytes).unwrap_or_default()))
+        let bytes = state.get().evidence().map(|e| e.to_bytes(&interrupt)).transpose()?;
+        Ok(Ret::Bytes(bytes.unwrap_or_default()))
     }
 
     fn ab_evidence_deserial(args) {
@@ -115,7 +120,8 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        Ok(state(args, 0)?.get().evidence().map_or(Ret::Null, |e| Ret::Bytes(e.to_bytes())))
+        let bytes = state(args, 0)?.get().evidence().map(|e| e.to_bytes(&interrupt)).transpose()?;
+        Ok(bytes.map_or(Ret::Null, Ret::Bytes))
     }
 
     /// transition(state, evidence) of ab_rollup_agg.

@@ -7,7 +7,7 @@ use asbuilt_core::evidence::Loa;
 use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 
-use super::array;
+use super::{Ret, array, toast};
 
 /// The arguments of one call. Borrowed values live as long as the call.
 #[derive(Debug)]
@@ -65,7 +65,12 @@ impl Args {
 
     /// A `cstring`, as an input function gets it.
     pub fn cstring(&self, i: usize) -> Cow<'_, str> {
-        unsafe { CStr::from_ptr(self.datum(i).cast_mut_ptr()) }.to_string_lossy()
+        String::from_utf8_lossy(self.cstring_bytes(i))
+    }
+
+    /// The same, unchecked.
+    pub fn cstring_bytes(&self, i: usize) -> &[u8] {
+        unsafe { CStr::from_ptr(self.datum(i).cast_mut_ptr()) }.to_bytes()
     }
 
     /// A `text`.
@@ -85,12 +90,17 @@ impl Args {
 
     /// All bytes of a variable-length value, fetched and decompressed if need be.
     pub fn bytes(&self, i: usize) -> &[u8] {
-        unsafe { pgrx::varlena::varlena_to_byte_slice(pg_sys::pg_detoast_datum_packed(self.varlena(i))) }
+        unsafe { pgrx::varlena::varlena_to_byte_slice(toast::fetch(self.varlena(i))) }
+    }
+
+    /// A variable-length value handed on, fetched if need be: to send, or to return an argument as it came.
+    pub fn fetched(&self, i: usize) -> Ret {
+        Ret::Raw(unsafe { toast::fetch(self.varlena(i)) }.into())
     }
 
     /// At least the first `len` bytes (or all there are), without fetching the rest where that can be avoided.
     pub fn prefix(&self, i: usize, len: usize) -> &[u8] {
-        unsafe { prefix_of(self.varlena(i), len) }
+        unsafe { toast::prefix(self.varlena(i), len) }
     }
 
     /// The value as it lies in the row, unfetched: equal bytes mean the same value.
@@ -125,25 +135,19 @@ impl Args {
         }
     }
 
-    /// A `float8[]` with its dimensions.
-    pub fn f64_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<f64>)> {
-        unsafe { array::read(self.datum(i), what) }
+    /// A `float8[][]` of n x 3.
+    pub fn f64_triples(&self, i: usize, what: &'static str) -> Result<Vec<[f64; 3]>> {
+        let (dims, values) = self.f64_array(i, what)?;
+        array::triples(&dims, &values, what)
     }
 
-    /// An `int4[]` with its dimensions.
-    pub fn i32_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<i32>)> {
-        unsafe { array::read(self.datum(i), what) }
+    /// An `int4[][]` of n x 3.
+    pub fn i32_triples(&self, i: usize, what: &'static str) -> Result<Vec<[i32; 3]>> {
+        let (dims, values) = unsafe { array::read(self.datum(i), what) }?;
+        array::triples(&dims, &values, what)
     }
-}
 
-/// At least the first `len` bytes of a value (or all there are); fetched or decompressed no further than that.
-///
-/// # Safety
-/// `v` must point to a variable-length value that outlives the slice.
-pub(super) unsafe fn prefix_of<'a>(v: *mut pg_sys::varlena, len: usize) -> &'a [u8] {
-    unsafe {
-        let stored_elsewhere = pgrx::varlena::varatt_is_1b_e(v) || pgrx::varlena::varatt_is_4b_c(v);
-        let v = if stored_elsewhere { pg_sys::pg_detoast_datum_slice(v, 0, len as i32) } else { v };
-        pgrx::varlena::varlena_to_byte_slice(v)
+    fn f64_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<f64>)> {
+        unsafe { array::read(self.datum(i), what) }
     }
 }

@@ -32,6 +32,14 @@ pub unsafe fn read<T: Copy>(datum: pg_sys::Datum, what: &'static str) -> Result<
     }
 }
 
+/// Rows of three; an array without elements has none.
+pub fn triples<T: Copy>(dims: &[i32], values: &[T], what: &'static str) -> Result<Vec<[T; 3]>> {
+    match dims {
+        [] | [_, 3] => Ok(values.as_chunks().0.to_vec()),
+        _ => Err(Error::argument(what, "an array of n x 3 numbers", shape(dims))),
+    }
+}
+
 /// A new array; `dims` multiply to the number of elements.
 ///
 /// # Safety

@@ -67,7 +67,7 @@ impl Args {
             if !(*entry).leafkey {
                 return Ok(Ret::Raw(entry.into()));
             }
-            let key = key(super::args::prefix_of((*entry).key.cast_mut_ptr(), prefix))?;
+            let key = key(super::toast::prefix((*entry).key.cast_mut_ptr(), prefix))?;
             let copy: *mut pg_sys::GISTENTRY = pg_sys::palloc(size_of::<pg_sys::GISTENTRY>()).cast();
             *copy = *entry;
             (*copy).key = super::ret::fixed(&key);

@@ -10,6 +10,7 @@ mod gist;
 mod interrupt;
 mod ret;
 mod rows;
+mod toast;
 
 pub use aggregate::{AggState, aggregate_state, deserialised_state};
 pub use args::Args;

@@ -1,10 +1,9 @@
 //! Returning a value.
 
-use std::ffi::CString;
-
 use pgrx::pg_sys;
 
 use super::array;
+use super::interrupt::interrupt;
 use super::rows::{self, Field};
 
 /// What an SQL function returns.
@@ -58,8 +57,12 @@ impl Ret {
             Self::I64(v) => pg_sys::Datum::from(v),
             Self::F64(v) => pg_sys::Datum::from(v.to_bits() as usize),
             Self::CString(s) => {
-                let c = CString::new(s.replace('\0', "")).unwrap_or_default();
-                unsafe { pg_sys::pstrdup(c.as_ptr()).into() }
+                let text = unsafe { pg_sys::palloc(s.len() + 1) }.cast::<u8>();
+                unsafe {
+                    copy(s.as_bytes(), text);
+                    text.add(s.len()).write(0);
+                }
+                text.into()
             }
             Self::Bytes(b) => varlena(&b),
             Self::Fixed(b) => fixed(&b),
@@ -74,11 +77,28 @@ impl Ret {
 /// A new varlena in the current memory context; over 1 GB PostgreSQL itself raises the error.
 pub fn varlena(bytes: &[u8]) -> pg_sys::Datum {
     unsafe {
-        let len = bytes.len() + pg_sys::VARHDRSZ;
-        let v: *mut pg_sys::varlena = pg_sys::palloc(len).cast();
-        pgrx::varlena::set_varsize_4b(v, len as i32);
-        std::ptr::copy_nonoverlapping(bytes.as_ptr(), v.cast::<u8>().add(pg_sys::VARHDRSZ), bytes.len());
+        let (v, data) = new_varlena(bytes.len());
+        copy(bytes, data);
         v.into()
+    }
+}
+
+/// An unwritten varlena, and where its `len` bytes go.
+pub unsafe fn new_varlena(len: usize) -> (*mut pg_sys::varlena, *mut u8) {
+    unsafe {
+        let total = len + pg_sys::VARHDRSZ;
+        let v: *mut pg_sys::varlena = pg_sys::palloc(total).cast();
+        pgrx::varlena::set_varsize_4b(v, total as i32);
+        (v, v.cast::<u8>().add(pg_sys::VARHDRSZ))
+    }
+}
+
+/// Copies in pieces, with interrupts between them: a gigabyte takes most of a second.
+pub unsafe fn copy(from: &[u8], to: *mut u8) {
+    const PIECE: usize = 1 << 24;
+    for (i, piece) in from.chunks(PIECE).enumerate() {
+        interrupt();
+        unsafe { std::ptr::copy_nonoverlapping(piece.as_ptr(), to.add(i * PIECE), piece.len()) };
     }
 }
 

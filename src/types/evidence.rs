@@ -1,10 +1,10 @@
 //! `ab_evidence`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::Result;
-use asbuilt_core::num::text::{from_hex, to_hex};
 use asbuilt_core::verify::{Evidence, EvidenceHeader};
 
 use super::box_bytes;
+use super::hex::{hex_in, hex_out};
 use crate::pg::{Args, Ret, interrupt, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
@@ -16,32 +16,32 @@ fn header(args: &Args) -> Result<EvidenceHeader> {
 
 sql_functions! {
     fn ab_evidence_in(args) {
-        let bytes = from_hex("ab_evidence", PREFIX, &args.cstring(0))?;
-        Ok(Ret::Bytes(Evidence::from_bytes(&bytes, &interrupt)?.to_bytes()))
+        let bytes = hex_in(args, "ab_evidence", PREFIX)?;
+        Ok(Ret::Bytes(Evidence::from_bytes(&bytes, &interrupt)?.to_bytes(&interrupt)?))
     }
 
     fn ab_evidence_out(args) {
-        Ok(Ret::CString(to_hex(PREFIX, args.bytes(0))))
+        hex_out(args, PREFIX)
     }
 
     fn ab_evidence_recv(args) {
-        Ok(Ret::Bytes(Evidence::from_bytes(args.message(0), &interrupt)?.to_bytes()))
+        Ok(Ret::Bytes(Evidence::from_bytes(args.message(0), &interrupt)?.to_bytes(&interrupt)?))
     }
 
     fn ab_evidence_send(args) {
-        Ok(Ret::Bytes(args.bytes(0).to_vec()))
+        Ok(args.fetched(0))
     }
 
     /// ab_rollup(e1, e2); a NULL adds nothing.
     fn ab_evidence_rollup(args) {
         match (args.is_null(0), args.is_null(1)) {
             (true, true) => Ok(Ret::Null),
-            (false, true) => Ok(Ret::Bytes(args.bytes(0).to_vec())),
-            (true, false) => Ok(Ret::Bytes(args.bytes(1).to_vec())),
+            (false, true) => Ok(args.fetched(0)),
+            (true, false) => Ok(args.fetched(1)),
             (false, false) => {
                 let mut e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
                 e.merge(&Evidence::from_bytes(args.bytes(1), &interrupt)?, &interrupt)?;
-                Ok(Ret::Bytes(e.to_bytes()))
+                Ok(Ret::Bytes(e.to_bytes(&interrupt)?))
             }
         }
     }

@@ -3,6 +3,7 @@
 mod aabb;
 mod evidence;
 mod evidence_model;
+mod hex;
 mod loa;
 mod mass;
 mod overlap;

@@ -1,11 +1,11 @@
 //! `ab_scan`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::num::text::{from_hex, to_hex};
 use asbuilt_core::scan::{Beam, Header, MAX_BEAMS, Patch, mean_step};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
+use super::hex::{hex_in, hex_out};
 use crate::pg::{Args, Ret, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
@@ -18,35 +18,28 @@ fn header(args: &Args) -> Result<Header> {
 /// ab_scan(origin, points, step, station, quantum)
 fn from_arrays(args: &Args) -> Result<Patch> {
     let origin = Vec3::from(args.vector::<3>(0, "the origin")?);
-    let (dims, values) = args.f64_array(1, "the points")?;
-    if dims.is_empty() {
-        return Err(Error::Empty { what: "the scan patch" });
-    }
-    if dims.len() != 2 || dims[1] != 3 {
-        let shape = dims.iter().map(i32::to_string).collect::<Vec<_>>().join(" x ");
-        return Err(Error::argument("the points", "an array of n x 3 numbers", shape));
-    }
-    if dims[0] as usize > MAX_BEAMS {
+    let points = args.f64_triples(1, "the points")?;
+    if points.len() > MAX_BEAMS {
         return Err(Error::Limit {
             what: "the number of beams of a patch",
-            value: dims[0].to_string(),
+            value: points.len().to_string(),
             limit: MAX_BEAMS.to_string(),
         });
     }
     let beams: Vec<Beam> =
-        values.chunks_exact(3).map(|c| Beam { offset: Vec3::new(c[0], c[1], c[2]) - origin, returned: true }).collect();
+        points.into_iter().map(|p| Beam { offset: Vec3::from(p) - origin, returned: true }).collect();
     let step = if args.is_null(2) { mean_step(&beams) } else { args.f64(2) };
     Patch::encode(args.i64(3), origin, step, args.f64(4), &beams)
 }
 
 sql_functions! {
     fn ab_scan_in(args) {
-        let bytes = from_hex("ab_scan", PREFIX, &args.cstring(0))?;
+        let bytes = hex_in(args, "ab_scan", PREFIX)?;
         Ok(Ret::Bytes(Patch::from_bytes(&bytes)?.to_bytes()))
     }
 
     fn ab_scan_out(args) {
-        Ok(Ret::CString(to_hex(PREFIX, args.bytes(0))))
+        hex_out(args, PREFIX)
     }
 
     fn ab_scan_recv(args) {
@@ -54,7 +47,7 @@ sql_functions! {
     }
 
     fn ab_scan_send(args) {
-        Ok(Ret::Bytes(args.bytes(0).to_vec()))
+        Ok(args.fetched(0))
     }
 
     fn ab_scan_make(args) {

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail};
+use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Aabb, Closedness, Vec3};
 use asbuilt_core::num::text::numbers;
@@ -127,7 +128,7 @@ fn load_model(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
                 open.push(format!("{} {}", p.ifc_class, p.name));
             }
         }
-        let solid = solid.map(|s| s.to_bytes());
+        let solid = solid.map(|s| s.to_bytes(NEVER)).transpose()?;
         let text = |s: &str| s.replace('\0', "").into_bytes();
         copy.row(&[
             Some(&text(&p.global_id)),

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::{Aabb, Vec3};
+use crate::num::sort::sort;
 use crate::{Interrupt, Result, poll_now_and_then};
 
 /// How well a triangle mesh encloses space.
@@ -55,7 +56,8 @@ pub fn closedness(
     let mut length = 0.0;
     let mut first = nalgebra::Matrix3::zeros();
     let mut second = [nalgebra::Matrix3::zeros(); 3];
-    for &(a, b) in &border {
+    for (i, &(a, b)) in border.iter().enumerate() {
+        poll_now_and_then(i, interrupt)?;
         let (p, q) = (local(a), local(b));
         let step = q - p;
         length += step.norm();
@@ -89,14 +91,13 @@ fn border_edges(welded: &[u32], triangles: &[[u32; 3]], interrupt: Interrupt) ->
             }
         }
     }
-    let mut left: Vec<_> = balance
-        .into_iter()
-        .flat_map(|((a, b), n)| {
-            let edge = if n > 0 { (a, b) } else { (b, a) };
-            std::iter::repeat_n(edge, n.unsigned_abs() as usize)
-        })
-        .collect();
-    left.sort_unstable();
+    let mut left = Vec::new();
+    for (i, ((a, b), n)) in balance.into_iter().enumerate() {
+        poll_now_and_then(i, interrupt)?;
+        let edge = if n > 0 { (a, b) } else { (b, a) };
+        left.extend(std::iter::repeat_n(edge, n.unsigned_abs() as usize));
+    }
+    sort(&mut left, interrupt)?;
     Ok(left)
 }
 

@@ -1,9 +1,11 @@
 //! Faces: the nearly plane pieces of a mesh, each judged as one.
 
+use std::cmp::Reverse;
 use std::collections::HashMap;
 
-use super::weld::weld;
+use super::adjacency::Adjacency;
 use super::{Solid, Vec3};
+use crate::num::sort::sort;
 use crate::{Interrupt, Result, poll_now_and_then};
 
 /// Triangles whose normals differ by no more than this from the first one's may share its face.
@@ -28,18 +30,15 @@ impl Faces {
 /// Groups triangles into nearly plane faces: grows each over shared edges, largest triangles first, then joins
 /// faces of one plane (both sides of a door, tops of many parts).
 pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
-    let planes: Vec<Option<Plane>> = (0..solid.triangles().len()).map(|t| Plane::of(solid, t)).collect();
-    let neighbours = neighbours(solid, interrupt)?;
-    let mut order: Vec<usize> = (0..planes.len()).filter(|&t| planes[t].is_some()).collect();
-    order.sort_by(|&a, &b| area(&planes, b).total_cmp(&area(&planes, a)).then(a.cmp(&b)));
-
+    let planes = planes(solid, interrupt)?;
+    let adjacency = Adjacency::of(solid, interrupt)?;
     let mut faces = Faces { of_triangle: vec![Faces::NONE; planes.len()], normals: Vec::new() };
     let mut by_plane: HashMap<[i64; 4], u32> = HashMap::new();
     let centre = solid.bounds().centre();
-    for (round, seed) in order.into_iter().enumerate() {
+    for (round, seed) in largest_first(&planes, interrupt)?.into_iter().enumerate() {
         poll_now_and_then(round, interrupt)?;
-        let Some(plane) = planes[seed] else { continue };
-        if faces.of_triangle[seed] != Faces::NONE {
+        let Some(plane) = planes[seed as usize] else { continue };
+        if faces.of_triangle[seed as usize] != Faces::NONE {
             continue;
         }
         let fresh = faces.normals.len() as u32;
@@ -47,21 +46,52 @@ pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
         if face == fresh {
             faces.normals.push(plane.normal);
         }
-        faces.of_triangle[seed] = face;
-        let mut stack = vec![seed];
-        while let Some(t) = stack.pop() {
-            for &u in &neighbours[t] {
-                let joins = faces.of_triangle[u] == Faces::NONE
-                    && planes[u].is_some_and(|p| p.normal.dot(&plane.normal) >= MAX_TURN_COS)
-                    && solid.corners(u).iter().all(|c| (c - plane.point).dot(&plane.normal).abs() <= MAX_OFF_PLANE_M);
-                if joins {
-                    faces.of_triangle[u] = face;
-                    stack.push(u);
-                }
+        let joins = |t: usize| {
+            planes[t].is_some_and(|p| p.normal.dot(&plane.normal) >= MAX_TURN_COS)
+                && solid.corners(t).iter().all(|c| (c - plane.point).dot(&plane.normal).abs() <= MAX_OFF_PLANE_M)
+        };
+        grow(seed, face, &adjacency, joins, &mut faces.of_triangle, interrupt)?;
+    }
+    Ok(faces)
+}
+
+/// Floods `face` from `seed` over shared edges to the triangles without a face that may join.
+fn grow(
+    seed: u32,
+    face: u32,
+    adjacency: &Adjacency,
+    joins: impl Fn(usize) -> bool,
+    face_of: &mut [u32],
+    interrupt: Interrupt,
+) -> Result<()> {
+    face_of[seed as usize] = face;
+    let mut stack = vec![seed];
+    let mut round = 0;
+    while let Some(t) = stack.pop() {
+        poll_now_and_then(round, interrupt)?;
+        round += 1;
+        for &u in adjacency.neighbours(t as usize) {
+            if face_of[u as usize] == Faces::NONE && joins(u as usize) {
+                face_of[u as usize] = face;
+                stack.push(u);
             }
         }
     }
-    Ok(faces)
+    Ok(())
+}
+
+/// The triangles that have an area, by falling area.
+fn largest_first(planes: &[Option<Plane>], interrupt: Interrupt) -> Result<Vec<u32>> {
+    // The bits of a positive number order as the number does.
+    let by_area = |(t, p): (usize, &Option<Plane>)| p.map(|p| (Reverse(p.area.to_bits()), t as u32));
+    let mut order: Vec<_> = planes.iter().enumerate().filter_map(by_area).collect();
+    sort(&mut order, interrupt)?;
+    Ok(order.into_iter().map(|(_, t)| t).collect())
+}
+
+fn planes(solid: &Solid, interrupt: Interrupt) -> Result<Vec<Option<Plane>>> {
+    let plane = |t: usize| poll_now_and_then(t, interrupt).map(|()| Plane::of(solid, t));
+    (0..solid.triangles().len()).map(plane).collect()
 }
 
 #[derive(Clone, Copy)]
@@ -85,31 +115,6 @@ impl Plane {
         let offset = n.dot(&(self.point - centre));
         [n.x * 200.0, n.y * 200.0, n.z * 200.0, offset * 1000.0].map(|v| v.round() as i64)
     }
-}
-
-fn area(planes: &[Option<Plane>], t: usize) -> f64 {
-    planes[t].map_or(0.0, |p| p.area)
-}
-
-fn neighbours(solid: &Solid, interrupt: Interrupt) -> Result<Vec<Vec<usize>>> {
-    let welded = weld(solid.vertices(), interrupt)?;
-    let mut users: HashMap<(u32, u32), Vec<usize>> = HashMap::new();
-    for (t, tri) in solid.triangles().iter().enumerate() {
-        poll_now_and_then(t, interrupt)?;
-        for k in 0..3 {
-            let (a, b) = (welded[tri[k] as usize], welded[tri[(k + 1) % 3] as usize]);
-            users.entry((a.min(b), a.max(b))).or_default().push(t);
-        }
-    }
-    let mut out = vec![Vec::new(); solid.triangles().len()];
-    // An edge that very many triangles share is a fan's spine or junk; pairing all of them would be quadratic.
-    for shared in users.values().filter(|s| (2..=16).contains(&s.len())) {
-        for &t in shared {
-            out[t].extend(shared.iter().copied().filter(|&u| u != t));
-        }
-    }
-    out.iter_mut().for_each(|n: &mut Vec<usize>| n.sort_unstable());
-    Ok(out)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Exact geometry of building objects: boxes, meshes, what they enclose and the faces they are seen by.
 
 mod aabb;
+mod adjacency;
 mod closedness;
 mod face;
 mod orient;

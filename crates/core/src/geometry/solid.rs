@@ -5,7 +5,7 @@ use super::weld::weld;
 use super::{Aabb, Closedness, Vec3};
 use crate::error::{Error, Result};
 use crate::num::bytes::{Put, Reader};
-use crate::{Interrupt, NEVER};
+use crate::{Interrupt, NEVER, poll, poll_now_and_then};
 
 const TY: &str = "ab_solid";
 
@@ -38,13 +38,14 @@ impl Solid {
 
     /// [`Solid::new`] for meshes of any size: asks `interrupt` now and then.
     pub fn interruptible(vertices: Vec<Vec3>, mut triangles: Vec<[u32; 3]>, interrupt: Interrupt) -> Result<Self> {
-        check(&vertices, &triangles)?;
+        check(&vertices, &triangles, interrupt)?;
         let bounds = Aabb::around(&vertices);
         let welded = weld(&vertices, interrupt)?;
         let closedness = closedness(&vertices, &welded, &triangles, interrupt)?;
         let centre = bounds.centre();
         let (mut area, mut six_volume) = (0.0, 0.0);
-        for t in &triangles {
+        for (i, t) in triangles.iter().enumerate() {
+            poll_now_and_then(i, interrupt)?;
             let [a, b, c] = t.map(|i| vertices[i as usize] - centre);
             area += 0.5 * (b - a).cross(&(c - a)).norm();
             six_volume += a.dot(&b.cross(&c));
@@ -126,58 +127,72 @@ impl Solid {
     }
 
     /// Checksum over vertices and triangles: tells two geometries apart.
-    pub fn fingerprint(&self) -> u32 {
-        crc32fast::hash(&self.payload())
+    pub fn fingerprint(&self, interrupt: Interrupt) -> Result<u32> {
+        checksum(&self.payload(interrupt)?, interrupt)
     }
 
-    fn payload(&self) -> Vec<u8> {
+    fn payload(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
         let mut p = Vec::with_capacity(24 * self.vertices.len() + 12 * self.triangles.len());
-        self.vertices.iter().for_each(|v| p.put_vec3(v));
-        self.triangles.iter().flatten().for_each(|&i| p.put_u32(i));
-        p
+        for (i, v) in self.vertices.iter().enumerate() {
+            poll_now_and_then(i, interrupt)?;
+            p.put_vec3(v);
+        }
+        for (i, t) in self.triangles.iter().enumerate() {
+            poll_now_and_then(i, interrupt)?;
+            t.iter().for_each(|&i| p.put_u32(i));
+        }
+        Ok(p)
     }
 
     /// The stored and transmitted form.
-    pub fn to_bytes(&self) -> Vec<u8> {
-        let payload = self.payload();
+    pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
+        let payload = self.payload(interrupt)?;
         let mut out = Vec::with_capacity(Self::HEADER_LEN + payload.len());
         out.put(&[Self::VERSION, b'S', self.closedness as u8, 0]);
         out.put_u32(self.vertices.len() as u32);
         out.put_u32(self.triangles.len() as u32);
-        out.put_u32(crc32fast::hash(&payload));
+        out.put_u32(checksum(&payload, interrupt)?);
         self.bounds.min.iter().chain(&self.bounds.max).for_each(|&c| out.put_f64(c));
         out.put_f64(self.area);
         out.put_f64(self.volume);
         out.put(&payload);
-        out
+        Ok(out)
     }
 
     /// Reads foreign bytes: everything that can be derived is derived anew, so nothing in them is trusted.
     pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
-        let (vertices, triangles) = Self::mesh_of(bytes)?;
+        let (vertices, triangles) = Self::mesh_of(bytes, interrupt)?;
         Self::interruptible(vertices, triangles, interrupt)
     }
 
     /// Reads bytes that this database wrote: the mesh is checked, what the header says of it is taken.
-    pub fn from_stored(bytes: &[u8]) -> Result<Self> {
-        let (vertices, triangles) = Self::mesh_of(bytes)?;
-        check(&vertices, &triangles)?;
+    pub fn from_stored(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
+        let (vertices, triangles) = Self::mesh_of(bytes, interrupt)?;
+        check(&vertices, &triangles, interrupt)?;
         let SolidHeader { bounds, area, volume, closedness, .. } = Self::header(bytes)?;
         Ok(Self { vertices, triangles, bounds, area, volume, closedness })
     }
 
-    fn mesh_of(bytes: &[u8]) -> Result<(Vec<Vec3>, Vec<[u32; 3]>)> {
-        let (mut r, n_vertices, n_triangles, checksum) = Self::open(bytes)?;
+    fn mesh_of(bytes: &[u8], interrupt: Interrupt) -> Result<(Vec<Vec3>, Vec<[u32; 3]>)> {
+        let (mut r, n_vertices, n_triangles, expected) = Self::open(bytes)?;
         r.take(Self::HEADER_LEN - 16)?;
         if r.remaining() as u64 != 24 * n_vertices as u64 + 12 * n_triangles as u64 {
             return Err(r.bad(format!("{n_vertices} vertices and {n_triangles} triangles do not fill its length")));
         }
         let payload = r.clone().take(r.remaining())?;
-        if crc32fast::hash(payload) != checksum {
+        if checksum(payload, interrupt)? != expected {
             return Err(Error::corrupted(TY, "the checksum does not match"));
         }
-        let vertices = (0..n_vertices).map(|_| r.vec3()).collect::<Result<_>>()?;
-        let triangles = (0..n_triangles).map(|_| Ok([r.u32()?, r.u32()?, r.u32()?])).collect::<Result<Vec<_>>>()?;
+        let mut vertices = Vec::with_capacity(n_vertices);
+        for i in 0..n_vertices {
+            poll_now_and_then(i, interrupt)?;
+            vertices.push(r.vec3()?);
+        }
+        let mut triangles = Vec::with_capacity(n_triangles);
+        for i in 0..n_triangles {
+            poll_now_and_then(i, interrupt)?;
+            triangles.push([r.u32()?, r.u32()?, r.u32()?]);
+        }
         Ok((vertices, triangles))
     }
 
@@ -222,7 +237,17 @@ pub struct SolidHeader {
     pub triangles: usize,
 }
 
-fn check(vertices: &[Vec3], triangles: &[[u32; 3]]) -> Result<()> {
+/// CRC-32, a megabyte at a time.
+fn checksum(bytes: &[u8], interrupt: Interrupt) -> Result<u32> {
+    let mut hasher = crc32fast::Hasher::new();
+    for piece in bytes.chunks(1 << 20) {
+        poll(interrupt)?;
+        hasher.update(piece);
+    }
+    Ok(hasher.finalize())
+}
+
+fn check(vertices: &[Vec3], triangles: &[[u32; 3]], interrupt: Interrupt) -> Result<()> {
     if triangles.is_empty() {
         return Err(Error::Empty { what: "the solid's list of triangles" });
     }
@@ -237,6 +262,7 @@ fn check(vertices: &[Vec3], triangles: &[[u32; 3]]) -> Result<()> {
         return Err(Error::argument("a vertex coordinate", "finite and within 1e9 m", x));
     }
     for (t, tri) in triangles.iter().enumerate() {
+        poll_now_and_then(t, interrupt)?;
         if let Some(&i) = tri.iter().find(|&&i| i as usize >= vertices.len()) {
             return Err(Error::TriangleIndex { triangle: t, index: i64::from(i), vertices: vertices.len() });
         }
@@ -267,9 +293,9 @@ mod tests {
     #[test]
     fn bytes_round_trip_and_header_agrees() {
         let s = Solid::cylinder([1.0, 2.0, 3.0], 0.2, 3.0, 24).unwrap();
-        let bytes = s.to_bytes();
+        let bytes = s.to_bytes(NEVER).unwrap();
         assert_eq!(Solid::from_bytes(&bytes, NEVER).unwrap(), s);
-        assert_eq!(Solid::from_stored(&bytes).unwrap(), s);
+        assert_eq!(Solid::from_stored(&bytes, NEVER).unwrap(), s);
         let h = Solid::header(&bytes[..Solid::HEADER_LEN]).unwrap();
         assert_eq!((h.bounds, h.area, h.closedness), (s.bounds, s.area, s.closedness));
     }
@@ -290,14 +316,14 @@ mod tests {
     proptest! {
         #[test]
         fn damaged_bytes_never_panic(cut in 0usize..400, flips in prop::collection::vec((0usize..400, any::<u8>()), 0..8)) {
-            let mut bytes = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap().to_bytes();
+            let mut bytes = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap().to_bytes(NEVER).unwrap();
             for (at, x) in flips {
                 let n = bytes.len();
                 bytes[at % n] ^= x;
             }
             bytes.truncate(bytes.len().saturating_sub(cut % 50));
             let _ = Solid::from_bytes(&bytes, NEVER);
-            let _ = Solid::from_stored(&bytes);
+            let _ = Solid::from_stored(&bytes, NEVER);
             let _ = Solid::header(&bytes);
         }
     }

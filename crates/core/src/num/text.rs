@@ -1,6 +1,7 @@
 //! Text forms that lose nothing: shortest decimals, hexadecimal bytes.
 
 use crate::error::{Error, Result};
+use crate::{Interrupt, poll};
 
 /// The shortest decimal that reads back as the same number; exponent form outside 1e-5…1e15.
 pub fn number(x: f64) -> String {
@@ -21,32 +22,46 @@ pub fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     words.next().is_none().then_some(out)
 }
 
+/// Bytes turned between two looks at the interrupt.
+const PIECE: usize = 1 << 20;
+
 /// `prefix` and then the bytes in hexadecimal: the lossless text form of the variable-length types.
-pub fn to_hex(prefix: &str, bytes: &[u8]) -> String {
+pub fn to_hex(prefix: &str, bytes: &[u8], interrupt: Interrupt) -> Result<String> {
     const DIGITS: &[u8; 16] = b"0123456789abcdef";
     let mut out = String::with_capacity(prefix.len() + 2 * bytes.len());
     out.push_str(prefix);
-    for &b in bytes {
-        out.push(DIGITS[usize::from(b >> 4)] as char);
-        out.push(DIGITS[usize::from(b & 15)] as char);
+    for piece in bytes.chunks(PIECE) {
+        poll(interrupt)?;
+        for &b in piece {
+            out.push(DIGITS[usize::from(b >> 4)] as char);
+            out.push(DIGITS[usize::from(b & 15)] as char);
+        }
     }
-    out
+    Ok(out)
 }
 
 /// Reads what [`to_hex`] wrote; `ty` is the SQL type for the error message.
-pub fn from_hex(ty: &'static str, prefix: &str, text: &str) -> Result<Vec<u8>> {
-    let bad = || Error::syntax(ty, text);
-    let digits = text.trim().strip_prefix(prefix).ok_or_else(bad)?.as_bytes();
+pub fn from_hex(ty: &'static str, prefix: &str, text: &[u8], interrupt: Interrupt) -> Result<Vec<u8>> {
+    let bad = || Error::syntax(ty, &String::from_utf8_lossy(&text[..text.len().min(200)]));
+    let digits = text.trim_ascii().strip_prefix(prefix.as_bytes()).ok_or_else(bad)?;
     if digits.len() % 2 != 0 {
         return Err(bad());
     }
     let nibble = |d: u8| (d as char).to_digit(16).map(|v| v as u8).ok_or_else(bad);
-    digits.chunks_exact(2).map(|p| Ok(nibble(p[0])? << 4 | nibble(p[1])?)).collect()
+    let mut out = Vec::with_capacity(digits.len() / 2);
+    for piece in digits.chunks(PIECE) {
+        poll(interrupt)?;
+        for pair in piece.chunks_exact(2) {
+            out.push(nibble(pair[0])? << 4 | nibble(pair[1])?);
+        }
+    }
+    Ok(out)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::NEVER;
     use proptest::prelude::*;
 
     proptest! {
@@ -60,12 +75,12 @@ mod tests {
 
         #[test]
         fn hex_round_trips(bytes: Vec<u8>) {
-            prop_assert_eq!(from_hex("t", "T1:", &to_hex("T1:", &bytes)).unwrap(), bytes);
+            prop_assert_eq!(from_hex("t", "T1:", to_hex("T1:", &bytes, NEVER).unwrap().as_bytes(), NEVER).unwrap(), bytes);
         }
 
         #[test]
         fn any_text_is_refused_or_read(text in "\\PC*") {
-            let _ = from_hex("t", "T1:", &text);
+            let _ = from_hex("t", "T1:", text.as_bytes(), NEVER);
             let _ = numbers::<3>(&text);
         }
     }

@@ -23,10 +23,10 @@ impl Collector {
     /// Spreads samples over the solid; no patch has spoken yet.
     pub fn new(solid: &Solid, model: EvidenceModel, interrupt: Interrupt) -> Result<Self> {
         let samples = Samples::on(solid, model.spacing, interrupt)?;
-        let balls = samples.blocks.iter().map(|b| samples.ball(b)).collect();
-        let evidence =
-            Evidence { model, fingerprint: solid.fingerprint(), bounds: solid.bounds(), samples, stations: Vec::new() };
-        Ok(Self { evidence, target: Target::new(solid), balls })
+        let balls = samples.balls(interrupt)?;
+        let fingerprint = solid.fingerprint(interrupt)?;
+        let evidence = Evidence { model, fingerprint, bounds: solid.bounds(), samples, stations: Vec::new() };
+        Ok(Self { evidence, target: Target::new(solid, interrupt)?, balls })
     }
 
     /// The evidence so far.

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::geometry::Vec3;
 use crate::num::stats::{median, median_and_spread};
-use crate::{Interrupt, Result, poll};
+use crate::{Interrupt, Result, poll, poll_now_and_then};
 
 /// Steepest slope of a built face against the drawn one, about 5°. What lies steeper before a face is another
 /// surface that hides it: the wall it abuts on, a cupboard seen from the side.
@@ -63,10 +63,13 @@ impl Consensus {
         for _ in 0..ROUNDS {
             poll(interrupt)?;
             let mut residuals: Vec<f64> = observed.iter().map(|(p, d)| self.residual(p, *d)).collect();
+            poll(interrupt)?;
             let spread = median_and_spread(&mut residuals).map_or(0.0, |m| m.1);
+            poll(interrupt)?;
             let scale = 4.685 * spread.max(2e-4);
             let (mut normal_matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
-            for (p, d) in observed {
+            for (i, (p, d)) in observed.iter().enumerate() {
+                poll_now_and_then(i, interrupt)?;
                 let r = self.residual(p, *d) / scale;
                 let w = if r.abs() < 1.0 { (1.0 - r * r).powi(2) } else { 0.0 };
                 let row = self.row(p);

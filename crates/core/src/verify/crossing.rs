@@ -7,7 +7,7 @@
 
 use crate::geometry::{Closedness, Solid, Vec3};
 use crate::scan::View;
-use crate::{Interrupt, Result, poll};
+use crate::{Interrupt, Result, poll, poll_now_and_then};
 
 /// Triangles of one culling chunk.
 const CHUNK: usize = 32;
@@ -45,16 +45,20 @@ pub struct Crossings {
 
 impl Target {
     /// Sorts the triangles with an area into chunks of neighbours.
-    pub fn new(solid: &Solid) -> Self {
-        let triangles: Vec<Triangle> = (0..solid.triangles().len())
-            .filter_map(|t| {
-                let corners = solid.corners(t);
-                let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
-                n.try_normalize(1e-12).map(|normal| Triangle { corners, normal })
-            })
-            .collect();
-        let chunks = triangles.chunks(CHUNK).map(Ball::around).collect();
-        Self { triangles, chunks, two_sided: solid.closedness() == Closedness::Open }
+    pub fn new(solid: &Solid, interrupt: Interrupt) -> Result<Self> {
+        let mut triangles = Vec::with_capacity(solid.triangles().len());
+        for t in 0..solid.triangles().len() {
+            poll_now_and_then(t, interrupt)?;
+            let corners = solid.corners(t);
+            let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+            triangles.extend(n.try_normalize(1e-12).map(|normal| Triangle { corners, normal }));
+        }
+        let mut chunks = Vec::with_capacity(triangles.len().div_ceil(CHUNK));
+        for chunk in triangles.chunks(CHUNK) {
+            poll_now_and_then(chunks.len(), interrupt)?;
+            chunks.push(Ball::around(chunk));
+        }
+        Ok(Self { triangles, chunks, two_sided: solid.closedness() == Closedness::Open })
     }
 
     /// The first crossing of every beam, up to `reach` metres from the origin.
@@ -182,7 +186,7 @@ mod tests {
             let bytes = Patch::encode(0, origin, 2e-2, 1e-4, &beams).unwrap().to_bytes();
             let (header, beams) = Patch::beams_of(&bytes).unwrap();
             let view = View::new(header, &beams);
-            let got = Target::new(solid).crossings(&view, f64::INFINITY, NEVER).unwrap();
+            let got = Target::new(solid, NEVER).unwrap().crossings(&view, f64::INFINITY, NEVER).unwrap();
             for slot in 0..view.len() {
                 let want = first_hit(solid, &origin, &view.directions[slot]);
                 assert!(got.distance[slot] == want || (got.distance[slot] - want).abs() < 1e-9);

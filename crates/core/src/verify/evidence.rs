@@ -104,6 +104,11 @@ impl Evidence {
         at
     }
 
+    /// The same samples and parameters; no station has spoken.
+    pub fn without_stations(&self) -> Self {
+        Self { samples: self.samples.clone(), stations: Vec::new(), ..*self }
+    }
+
     /// Adds evidence about the same solid. Sums are integers: the result does not depend on order or grouping.
     pub fn merge(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
         let mismatch = |reason: &str| Err(Error::Mismatch { reason: reason.into() });

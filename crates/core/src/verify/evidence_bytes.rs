@@ -23,7 +23,7 @@ impl Evidence {
     pub const HEADER_LEN: usize = 24 + 72 + EvidenceModel::LEN;
 
     /// The stored and transmitted form; equal evidence has equal bytes.
-    pub fn to_bytes(&self) -> Vec<u8> {
+    pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
         let s = &self.samples;
         let mut out = Vec::with_capacity(Self::HEADER_LEN + 12 * s.len() * (1 + self.stations.len()));
         out.put(&[Self::VERSION, b'E', u8::from(s.two_sided), 0]);
@@ -35,13 +35,16 @@ impl Evidence {
         self.bounds.min.iter().chain(&self.bounds.max).for_each(|&c| out.put_f64(c));
         self.model.write(&mut out);
         s.normals.iter().for_each(|n| out.put_vec3(n));
-        for b in &s.blocks {
+        for (i, b) in s.blocks.iter().enumerate() {
+            poll_now_and_then(i, interrupt)?;
             out.put_varint(u64::from(b.face));
             out.put(&[b.len as u8]);
         }
         s.positions.iter().flatten().for_each(|&c| out.put_f32(c));
-        self.stations.iter().for_each(|st| write_station(st, &mut out));
-        out
+        for station in &self.stations {
+            write_station(station, &mut out, interrupt)?;
+        }
+        Ok(out)
     }
 
     /// The header alone.
@@ -60,7 +63,8 @@ impl Evidence {
         }
         let normals = (0..faces).map(|_| unit(&mut r)).collect::<Result<Vec<_>>>()?;
         let blocks = read_blocks(&mut r, blocks, faces, samples)?;
-        let positions = (0..samples).map(|_| finite_position(&mut r)).collect::<Result<Vec<_>>>()?;
+        let position = |i| poll_now_and_then(i, interrupt).and_then(|()| finite_position(&mut r));
+        let positions = (0..samples).map(position).collect::<Result<Vec<_>>>()?;
         let samples = Samples { reference: h.reference, positions, normals, blocks, two_sided: h.two_sided };
         let mut room = MAX_SUMS;
         let stations = (0..stations)
@@ -133,12 +137,13 @@ fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize) -> Re
     if start == samples as u64 { Ok(out) } else { Err(r.bad("its blocks do not hold its samples")) }
 }
 
-fn write_station(station: &Station, out: &mut Vec<u8>) {
+fn write_station(station: &Station, out: &mut Vec<u8>, interrupt: Interrupt) -> Result<()> {
     out.put_i64(station.id);
     out.put_vec3(&station.origin);
     out.put_u32(station.blocks.len() as u32);
     let mut next = 0;
-    for (&i, sums) in &station.blocks {
+    for (round, (&i, sums)) in station.blocks.iter().enumerate() {
+        poll_now_and_then(round, interrupt)?;
         out.put_varint(u64::from(i - next));
         next = i + 1;
         for s in sums.iter() {
@@ -148,6 +153,7 @@ fn write_station(station: &Station, out: &mut Vec<u8>) {
             }
         }
     }
+    Ok(())
 }
 
 /// Most sums (48 bytes each in memory) of one value: more than PostgreSQL's 1 GB holds at 16 bytes a sum, so that

@@ -6,7 +6,7 @@ use super::evidence::Evidence;
 use super::model::EvidenceModel;
 use crate::geometry::Vec3;
 use crate::num::stats::{median, median_and_spread};
-use crate::{Interrupt, Result, poll};
+use crate::{Interrupt, Result, poll, poll_now_and_then};
 
 /// Share of a face's seen samples that must lie on one plane for that plane to be the built face.
 const MAJORITY: f64 = 0.5;
@@ -85,10 +85,12 @@ type Seen = (Vec3, SampleBelief);
 
 fn judge(normal: Vec3, samples: u64, seen: &[Seen], model: &EvidenceModel, interrupt: Interrupt) -> Result<FaceReport> {
     let tolerance = model.tolerance();
-    let observed: Vec<(Vec3, f64)> = seen.iter().filter_map(|(p, b)| b.deviation.map(|d| (*p, d.0))).collect();
-    let surface = observed.len() as u64;
-    let location = median_and_spread(&mut observed.iter().map(|o| o.1).collect::<Vec<_>>());
-    let on_plane = agreement(&normal, &observed, seen, tolerance, interrupt)?;
+    let mut surface = Surface::of(seen, interrupt)?;
+    let count = surface.points.len() as u64;
+    let location = median_and_spread(&mut surface.deviations);
+    poll(interrupt)?;
+    let common_sd = common_sd(&mut surface.stations, model);
+    let on_plane = agreement(&normal, &surface.points, seen, tolerance, interrupt)?;
     let displaced = on_plane.is_some() && location.is_some_and(|(centre, _)| centre.abs() > tolerance);
     let mut report = FaceReport {
         normal,
@@ -97,14 +99,15 @@ fn judge(normal: Vec3, samples: u64, seen: &[Seen], model: &EvidenceModel, inter
         confirmed: 0,
         refuted: 0,
         pierced: 0,
-        surface,
+        surface: count,
         coherent: on_plane.is_some(),
         displaced,
-        deviation: location.map(|(centre, spread)| (centre, median_sd(spread, surface).hypot(common_sd(seen, model)))),
-        random_sd: location.map_or(0.0, |(_, spread)| median_sd(spread, surface)),
-        conflict: seen.iter().map(|(_, b)| b.conflict).sum(),
+        deviation: location.map(|(centre, spread)| (centre, median_sd(spread, count).hypot(common_sd))),
+        random_sd: location.map_or(0.0, |(_, spread)| median_sd(spread, count)),
+        conflict: surface.conflict,
     };
-    for (position, b) in seen {
+    for (i, (position, b)) in seen.iter().enumerate() {
+        poll_now_and_then(i, interrupt)?;
         // A surface in front of the face is no refutation by itself: furniture. One that is the face is.
         let moved = b.in_front >= IN_FRONT_SHARE * model.confidence
             && on_plane.as_ref().is_some_and(|agrees| agrees(position, b));
@@ -116,6 +119,36 @@ fn judge(normal: Vec3, samples: u64, seen: &[Seen], model: &EvidenceModel, inter
         }
     }
     Ok(report)
+}
+
+/// The seen samples at which a surface was met.
+#[derive(Default)]
+struct Surface {
+    /// Position (local) and deviation, metres.
+    points: Vec<(Vec3, f64)>,
+    deviations: Vec<f64>,
+    /// How many stations met it, per sample.
+    stations: Vec<f64>,
+    /// Sum over all seen samples.
+    conflict: f64,
+}
+
+impl Surface {
+    fn of(seen: &[Seen], interrupt: Interrupt) -> Result<Self> {
+        let mut out = Self::default();
+        for (i, (position, b)) in seen.iter().enumerate() {
+            poll_now_and_then(i, interrupt)?;
+            out.conflict += b.conflict;
+            if let Some((deviation, _)) = b.deviation {
+                out.points.push((*position, deviation));
+                out.deviations.push(deviation);
+            }
+            if b.stations > 0 {
+                out.stations.push(f64::from(b.stations));
+            }
+        }
+        Ok(out)
+    }
 }
 
 /// Tells which samples lie on the built face, where most of the seen ones do.
@@ -132,7 +165,11 @@ fn agreement(
     let agrees = move |position: &Vec3, b: &SampleBelief| {
         b.deviation.is_some_and(|(d, sd)| consensus.residual(position, d).abs() <= (0.25 * tolerance).max(3.0 * sd))
     };
-    let agreeing = seen.iter().filter(|(p, b)| agrees(p, b)).count();
+    let mut agreeing = 0u64;
+    for (i, (position, b)) in seen.iter().enumerate() {
+        poll_now_and_then(i, interrupt)?;
+        agreeing += u64::from(agrees(position, b));
+    }
     Ok((agreeing as f64 >= MAJORITY * seen.len() as f64).then_some(agrees))
 }
 
@@ -142,8 +179,7 @@ fn median_sd(spread: f64, n: u64) -> f64 {
 }
 
 /// What the samples share: registration averages out over the stations only, the model not at all.
-fn common_sd(seen: &[Seen], model: &EvidenceModel) -> f64 {
-    let mut stations: Vec<f64> = seen.iter().filter(|s| s.1.stations > 0).map(|s| f64::from(s.1.stations)).collect();
-    let stations = median(&mut stations).unwrap_or(1.0).max(1.0);
+fn common_sd(stations: &mut [f64], model: &EvidenceModel) -> f64 {
+    let stations = median(stations).unwrap_or(1.0).max(1.0);
     (model.sigma_station / stations.sqrt()).hypot(model.sigma_model)
 }

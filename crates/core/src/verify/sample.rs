@@ -1,10 +1,9 @@
 //! Samples: the points on a solid's faces at which belief is formed.
 
-use std::collections::BTreeMap;
-
 use crate::error::Result;
 use crate::geometry::{Faces, Solid, Vec3, group_faces};
-use crate::{Interrupt, poll, poll_now_and_then};
+use crate::num::sort::sort;
+use crate::{Interrupt, poll_now_and_then};
 
 /// Samples of one block at the most. Blocks are culled as a whole.
 pub const BLOCK: usize = 64;
@@ -54,19 +53,21 @@ impl Samples {
         };
         for (face, mut points) in by_face.into_iter().enumerate() {
             sort_along_curve(&mut points, &out.normals[face], spacing, interrupt)?;
-            out.push_face(face as u32, &points);
+            out.push_face(face as u32, &points, interrupt)?;
         }
         Ok(out)
     }
 
-    fn push_face(&mut self, face: u32, points: &[Vec3]) {
+    fn push_face(&mut self, face: u32, points: &[Vec3], interrupt: Interrupt) -> Result<()> {
         for run in points.chunks(BLOCK) {
+            poll_now_and_then(self.blocks.len(), interrupt)?;
             self.blocks.push(Block { start: self.positions.len() as u32, len: run.len() as u32, face });
             self.positions.extend(run.iter().map(|p| {
                 let local = p - self.reference;
                 [local.x as f32, local.y as f32, local.z as f32]
             }));
         }
+        Ok(())
     }
 
     /// Number of samples.
@@ -88,8 +89,14 @@ impl Samples {
         Vec3::from(self.positions[i].map(f64::from))
     }
 
+    /// A ball around each block.
+    pub(super) fn balls(&self, interrupt: Interrupt) -> Result<Vec<(Vec3, f64)>> {
+        let ball = |(i, b)| poll_now_and_then(i, interrupt).map(|()| self.ball(b));
+        self.blocks.iter().enumerate().map(ball).collect()
+    }
+
     /// Centre (local) and radius of a ball around a block.
-    pub(super) fn ball(&self, block: &Block) -> (Vec3, f64) {
+    fn ball(&self, block: &Block) -> (Vec3, f64) {
         let range = block.start as usize..(block.start + block.len) as usize;
         let centre = range.clone().map(|i| self.local(i)).sum::<Vec3>() / f64::from(block.len);
         let radius = range.map(|i| (self.local(i) - centre).norm()).fold(0.0, f64::max);
@@ -141,19 +148,13 @@ fn sort_along_curve(points: &mut Vec<Vec3>, normal: &Vec3, spacing: f64, interru
     let (i, j) = ((drop + 1) % 3, (drop + 2) % 3);
     let low = points.iter().fold([f64::INFINITY; 2], |l, p| [l[0].min(p[i]), l[1].min(p[j])]);
     let cell = |x: f64, lo: f64| ((x - lo) / spacing) as u32;
-    // By the first bits of the curve, then each part for itself: a large sort could not be interrupted.
-    let mut parts: BTreeMap<u64, Vec<(u64, Vec3)>> = BTreeMap::new();
-    for (round, p) in points.iter().enumerate() {
-        poll_now_and_then(round, interrupt)?;
-        let place = hilbert(cell(p[i], low[0]), cell(p[j], low[1]));
-        parts.entry(place >> 16).or_default().push((place, *p));
+    let mut order = Vec::with_capacity(points.len());
+    for (k, p) in points.iter().enumerate() {
+        poll_now_and_then(k, interrupt)?;
+        order.push((hilbert(cell(p[i], low[0]), cell(p[j], low[1])), k as u32));
     }
-    points.clear();
-    for (_, mut part) in parts {
-        poll(interrupt)?;
-        part.sort_by_key(|(place, _)| *place);
-        points.extend(part.into_iter().map(|(_, p)| p));
-    }
+    sort(&mut order, interrupt)?;
+    *points = order.into_iter().map(|(_, k)| points[k as usize]).collect();
     Ok(())
 }
 
