@@ -72,6 +72,9 @@ sql_functions! {
             return Err(Error::argument("the margin", "finite", margin));
         }
         let grown = b.expanded(margin);
+        if (0..3).any(|i| grown.min[i] > grown.max[i]) {
+            return Err(Error::argument("the margin", "no more negative than half the box's shortest side", margin));
+        }
         Ok(Ret::Fixed(box_bytes(&Aabb::new(grown.min, grown.max)?)))
     }
 

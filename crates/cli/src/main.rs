@@ -15,6 +15,7 @@ mod simulate;
 mod stations;
 
 use clap::{Parser, Subcommand};
+use output::say;
 
 #[derive(Parser)]
 #[command(
@@ -60,7 +61,7 @@ fn main() {
         Command::MeshIfc(args) => commands::mesh_ifc::run(&args),
     };
     if let Err(error) = result {
-        eprintln!("asbuilt: {error:#}");
+        say!("asbuilt: {error:#}");
         std::process::exit(1);
     }
 }

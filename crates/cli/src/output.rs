@@ -6,6 +6,15 @@ use anyhow::Result;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Map, Value};
 
+/// Prints a line to standard error; nobody reading it is no reason to stop.
+macro_rules! say {
+    ($($arg:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stderr(), $($arg)*);
+    }};
+}
+pub(crate) use say;
+
 /// How to print rows.
 #[derive(clap::ValueEnum, Debug, Clone, Copy, Default)]
 pub enum Format {

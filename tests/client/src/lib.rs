@@ -120,6 +120,10 @@ impl Verdicts {
         self.row(object)["verdict"].as_str().unwrap()
     }
 
+    pub fn text(&self, object: &str, column: &str) -> &str {
+        self.row(object)[column].as_str().unwrap_or_else(|| panic!("{object} has no {column}"))
+    }
+
     pub fn number(&self, object: &str, column: &str) -> f64 {
         self.row(object)[column].as_f64().unwrap_or_else(|| panic!("{object} has no {column}"))
     }

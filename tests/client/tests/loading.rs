@@ -123,6 +123,8 @@ fn wrong_input_is_named_and_leaves_nothing() {
     let cases = [
         (file("empty.xyz", ""), "holds no points"),
         (file("words.xyz", "1 2 3\n4 5 six\n"), "line 2: three coordinates expected, found \"4 5 six\""),
+        (file("count.pts", "3\n1 2 3\n4 5 6\n"), "it promises 3 points and holds 2"),
+        (project("demo"), "it is a folder"),
         (file("far.xyz", "1e12 0 0\n0 0 0\n"), "finite and within 1e9 m"),
         (file("short.ptx", "2\n2\n0 0 0\n"), "it ends after line 3, where the first axis should follow"),
         (
@@ -163,6 +165,121 @@ fn wrong_input_is_named_and_leaves_nothing() {
     db.asbuilt(&["load", text(&project("demo/pavilion.ifc"))]);
     assert!(db.asbuilt_fails(&["verify", "--epoch", "7"]).contains("no scan of epoch 7"));
     assert!(db.asbuilt_fails(&["verify", "--loa", "LOA35"]).contains("LOA35"));
+}
+
+/// Decimal commas and a byte order mark are read, not misread; a position in the file goes before --origin.
+#[test]
+fn what_the_file_says_is_read_as_meant() {
+    let db = Database::new("meant");
+    let file = scratch("comma.xyz");
+    fs::write(&file, "\u{feff}1,50;2,50;3,50\n2,50;2,50;3,50\n").unwrap();
+    db.asbuilt(&["load", text(&file)]);
+    let mut client = db.connect();
+    let shown = "SELECT min((ab_min(ab_point_box(patch)))[1]) = 1.5 AND sum(ab_count(patch)) = 2 FROM scan";
+    assert!(client.query_one(shown, &[]).unwrap().get::<_, bool>(0));
+    let scan = scratch("posed.e57");
+    let stations = scratch("one.txt");
+    fs::write(&stations, "\u{feff}3 3 1.6\n").unwrap();
+    let model = project("demo/pavilion.ifc");
+    let simulate = ["simulate", text(&model), "--stations", text(&stations), "--step-mrad", "30"];
+    db.asbuilt(&[&simulate[..], &["--out", text(&scan)]].concat());
+    let said = db.asbuilt(&["load", text(&scan), "--origin", "9,9,9"]);
+    assert!(said.contains("goes before --origin"), "{said}");
+    let nine = "SELECT count(*) FROM scan WHERE ab_origin(patch) = '{9,9,9}'";
+    assert_eq!(count(&mut client, nine), 0);
+    // What simulate refuses.
+    assert!(db.asbuilt_fails(&[&simulate[..], &["--out", text(&model)]].concat()).contains("ends in .e57"));
+    let fine = ["simulate", text(&model), "--stations", text(&stations), "--step-mrad", "0.05", "--out", text(&scan)];
+    assert!(db.asbuilt_fails(&fine).contains("beams, more than"));
+    // Nothing but what is too near.
+    let near = db.asbuilt_fails(&["load", text(&scan), "--min-range", "100"]);
+    assert!(near.contains("nearer than --min-range"), "{near}");
+}
+
+/// Two folders, one name: refused in one call, said in two; after a failure the files not reached are named.
+#[test]
+fn files_of_one_name_and_files_not_reached() {
+    let db = Database::new("names");
+    let other = scratch("folder");
+    fs::create_dir_all(&other).unwrap();
+    let (a, b) = (scratch("same.xyz"), other.join(scratch("same.xyz").file_name().unwrap()));
+    fs::write(&a, points()).unwrap();
+    fs::write(&b, points()).unwrap();
+    assert!(db.asbuilt_fails(&["load", text(&a), text(&b)]).contains("have the same name"));
+    db.asbuilt(&["load", text(&a)]);
+    assert!(db.asbuilt(&["load", text(&b)]).contains("replaces 1 stations"));
+    let bad = scratch("bad.xyz");
+    fs::write(&bad, "1 2 3\nx\n").unwrap();
+    let said = db.asbuilt_fails(&["load", text(&bad), text(&a)]);
+    assert!(said.contains("not loaded: ") && said.contains("same.xyz"), "{said}");
+}
+
+/// A colleague with rights on the tables, not their owner, loads; without them the error says what is wanted. Loaders
+/// of one file at the same time wait for each other.
+#[test]
+fn others_load_too_and_at_the_same_time() {
+    let db = Database::new("others");
+    let file = scratch("wall2.xyz");
+    fs::write(&file, points()).unwrap();
+    db.asbuilt(&["load", text(&file), text(&project("demo/pavilion.ifc"))]);
+    let role = format!("colleague_{}", std::process::id());
+    let mut client = db.connect();
+    client.batch_execute(&format!("CREATE ROLE {role} LOGIN")).unwrap();
+    let as_colleague = |args: &[&str]| db.command(args).env("PGUSER", &role).output().unwrap();
+    let refused = as_colleague(&["load", text(&file)]);
+    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(!refused.status.success() && said.contains("GRANT"), "{said}");
+    client.batch_execute(&format!("GRANT SELECT, INSERT, DELETE ON building_object, station, scan TO {role}")).unwrap();
+    let loaded = as_colleague(&["load", text(&file)]);
+    let said = String::from_utf8_lossy(&loaded.stderr).into_owned();
+    assert!(loaded.status.success() && !said.contains("WARNING"), "{said}");
+    client.batch_execute(&format!("DROP OWNED BY {role}; DROP ROLE {role}")).unwrap();
+    let model = project("demo/pavilion.ifc");
+    let start = || db.command(&["load", text(&model)]).stderr(std::process::Stdio::piped()).spawn().unwrap();
+    let both = [start(), start()];
+    for child in both {
+        let out = child.wait_with_output().unwrap();
+        assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    }
+    assert_eq!(count(&mut client, "SELECT count(*) FROM building_object"), 13);
+}
+
+/// Nobody reads what it says: it loads all the same.
+#[test]
+fn a_closed_standard_error_does_not_stop_it() {
+    let db = Database::new("closed");
+    let files: Vec<_> = (0..3).map(|i| scratch(&format!("part{i}.xyz"))).collect();
+    files.iter().for_each(|f| fs::write(f, points()).unwrap());
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let args: Vec<&str> = std::iter::once("load").chain(files.iter().map(|f| text(f))).collect();
+    assert!(db.command(&args).stderr(writer).status().unwrap().success());
+    assert_eq!(count(&mut db.connect(), BEAMS), 1200);
+}
+
+/// The server ends the query of a program that was killed.
+#[test]
+fn a_killed_verify_leaves_no_query_behind() {
+    let db = Database::new("killed");
+    db.asbuilt(&["load", text(&project("demo/pavilion.ifc"))]);
+    let scan = scratch("fine.e57");
+    let (model, stations) = (project("demo/pavilion.ifc"), project("demo/stations.txt"));
+    db.asbuilt(&["simulate", text(&model), "--stations", text(&stations), "--step-mrad", "6", "--out", text(&scan)]);
+    db.asbuilt(&["load", text(&scan)]);
+    let mut client = db.connect();
+    let running = "SELECT count(*) FROM pg_stat_activity WHERE datname = current_database() AND query LIKE '%ab_summary%' AND state = 'active' AND pid <> pg_backend_pid()";
+    let mut child = db.command(&["verify", "--spacing", "0.005"]).stdout(std::process::Stdio::null()).spawn().unwrap();
+    while count(&mut client, running) == 0 {
+        assert!(child.try_wait().unwrap().is_none(), "verify was over before it could be killed");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let ended = (0..100).any(|_| {
+        std::thread::sleep(Duration::from_millis(50));
+        count(&mut client, running) == 0
+    });
+    assert!(ended, "the query still runs 5 s after its client is gone");
 }
 
 /// A file is one transaction: a connection that dies in the middle leaves nothing of it.

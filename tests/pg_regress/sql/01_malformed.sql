@@ -81,5 +81,7 @@ SELECT ab_count(ab_evidence_agg(ab_solid(ab_box(0,0,0,100,100,1)), NULL, ab_evid
 SELECT ab_count(e), ab_verdict(e) FROM (SELECT ab_evidence_agg(ab_solid(ARRAY[[0,0,0],[1,0,0],[2,0,0]]::float8[], ARRAY[[0,1,2]]), NULL, ab_evidence_model()) e) x;
 
 
+SELECT ab_expand(ab_box(0,0,0,1,2,3), -0.6);
+
 -- the backend is still there
 SELECT 'alive';

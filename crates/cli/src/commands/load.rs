@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Aabb, Closedness, Vec3};
@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 use crate::database::connect::{DatabaseArgs, explain};
 use crate::database::copy::{BinaryCopy, jsonb};
 use crate::database::tables;
-use crate::output::{count, progress, spinner};
+use crate::output::{count, progress, say, spinner};
 use crate::read::{self, Kind, RawScan, ReadOptions, ifc};
 use crate::stations::{self, Packed};
 
@@ -34,13 +34,13 @@ pub struct LoadArgs {
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Epoch of the scans
-    #[arg(long, default_value_t = 1, value_name = "N")]
+    #[arg(long, default_value_t = 1, value_name = "N", allow_hyphen_values = true)]
     epoch: i32,
     /// The scanner's position, for files that do not tell it
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_origin)]
     origin: Option<Vec3>,
     /// Drop returns nearer than this (the scanner's own platform), metres
-    #[arg(long, default_value_t = 0.3, value_name = "M")]
+    #[arg(long, default_value_t = 0.3, value_name = "M", allow_hyphen_values = true)]
     min_range: f64,
     /// Level of accuracy of objects whose property LevelOfAccuracy does not say
     #[arg(long, default_value = "LOA30", value_parser = parse_loa)]
@@ -64,10 +64,7 @@ pub fn run(args: &LoadArgs) -> Result<()> {
     if !(args.min_range >= 0.0 && args.min_range.is_finite()) {
         bail!("--min-range {} must be 0 or more", args.min_range);
     }
-    let kinds = args.files.iter().map(|f| read::kind(f)).collect::<Result<Vec<_>>>()?;
-    if let Some(missing) = args.files.iter().find(|f| !f.is_file()) {
-        bail!("{}: no such file", missing.display());
-    }
+    let kinds = args.files.iter().map(|f| kind_of(f)).collect::<Result<Vec<_>>>()?;
     for (i, file) in args.files.iter().enumerate() {
         if let Some(other) = args.files[..i].iter().find(|o| source(o) == source(file)) {
             bail!(
@@ -78,22 +75,36 @@ pub fn run(args: &LoadArgs) -> Result<()> {
         }
     }
     let mut client = args.database.connect()?;
-    let mut tx = client.transaction().map_err(explain)?;
-    tables::make(&mut tx)?;
-    tx.commit().map_err(explain)?;
-    for (file, kind) in args.files.iter().zip(kinds) {
+    tables::make(&mut client)?;
+    for (i, (file, kind)) in args.files.iter().zip(kinds).enumerate() {
         let start = Instant::now();
-        // Dropped without commit, the transaction leaves nothing.
-        let mut tx = client.transaction().map_err(explain)?;
-        match kind {
-            Kind::Model => load_model(args, file, &mut tx)?,
-            Kind::Scan => load_scans(args, file, &mut tx)?,
+        if let Err(error) = load_file(args, file, kind, &mut client) {
+            let rest: Vec<String> = args.files[i + 1..].iter().map(|f| f.display().to_string()).collect();
+            return Err(if rest.is_empty() { error } else { anyhow!("{error:#}\nnot loaded: {}", rest.join(", ")) });
         }
-        tx.commit().map_err(explain).with_context(|| format!("{}: nothing of it was loaded", file.display()))?;
-        eprintln!("  in {:.1} s", start.elapsed().as_secs_f64());
+        say!("  in {:.1} s", start.elapsed().as_secs_f64());
     }
-    client.batch_execute("ANALYZE building_object; ANALYZE scan").map_err(explain)?;
+    tables::analyse(&mut client)?;
     warn_apart(&mut client, args.epoch)
+}
+
+fn kind_of(file: &Path) -> Result<Kind> {
+    if file.is_dir() {
+        bail!("{}: it is a folder; name the files in it", file.display());
+    }
+    let kind = read::kind(file)?;
+    if file.exists() { Ok(kind) } else { bail!("{}: no such file", file.display()) }
+}
+
+/// One file, one transaction: dropped without commit, it leaves nothing.
+fn load_file(args: &LoadArgs, file: &Path, kind: Kind, client: &mut Client) -> Result<()> {
+    let mut tx = client.transaction().map_err(explain)?;
+    tables::lock_source(&mut tx, &source(file), if kind == Kind::Scan { args.epoch } else { 0 })?;
+    match kind {
+        Kind::Model => load_model(args, file, &mut tx)?,
+        Kind::Scan => load_scans(args, file, &mut tx)?,
+    }
+    tx.commit().map_err(explain).with_context(|| format!("{}: nothing of it was loaded", file.display()))
 }
 
 /// What the rows of a file are known by.
@@ -108,7 +119,7 @@ fn load_model(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
     let source = source(file);
     let replaced = tx.execute("DELETE FROM building_object WHERE source = $1", &[&source]).map_err(explain)?;
     if replaced > 0 {
-        eprintln!("{source}: replaces {replaced} objects loaded before from a file of that name");
+        say!("{source}: replaces {replaced} objects loaded before from a file of that name");
     }
     let columns = ["global_id", "ifc_class", "name", "storey", "loa", "solid", "properties", "source"];
     let mut copy = BinaryCopy::start(tx, "building_object", &columns)?;
@@ -151,7 +162,7 @@ fn level(p: &ifc::Product, default: Loa) -> Result<Loa> {
     match &p.level_of_accuracy {
         None => Ok(default),
         Some(text) => Ok(Loa::parse(text).unwrap_or_else(|_| {
-            eprintln!("warning: {} has LevelOfAccuracy \"{text}\", which is none; {} taken", p.name, default.name());
+            say!("warning: {} has LevelOfAccuracy \"{text}\", which is none; {} taken", p.name, default.name());
             default
         })),
     }
@@ -171,22 +182,22 @@ fn properties(p: &ifc::Product) -> Value {
 
 fn report_model(source: &str, model: &ifc::Model, meshed: usize, twice: usize, open: &[String], bounds: &Aabb) {
     let parts = model.products.iter().filter(|p| p.part_of.is_some()).count();
-    eprintln!(
+    say!(
         "{source}: {} products read, {meshed} meshed, {} open surfaces, {parts} parts of others, {} missing",
         model.products.len(),
         open.len(),
         model.unmeshed.len()
     );
-    eprintln!("  box {}", shown(bounds));
+    say!("  box {}", shown(bounds));
     list("open surface (area and verdict, no volume)", open);
     let missing: Vec<String> = model.unmeshed.iter().map(|(name, why)| format!("{name}: {why}")).collect();
     list("missing", &missing);
     let left_out: Vec<String> = model.left_out.iter().map(|(class, n)| format!("{n} {class}")).collect();
     if !left_out.is_empty() {
-        eprintln!("  no building objects, left out: {}", left_out.join(", "));
+        say!("  no building objects, left out: {}", left_out.join(", "));
     }
     if let Some(worst) = model.rounded.iter().map(|r| r.1).reduce(f64::max) {
-        eprintln!(
+        say!(
             "  warning: {} products lie so far from the file's zero that their geometry is rounded, to {:.0} mm at the \
              worst ({}); move the model near its origin for finer levels of accuracy",
             model.rounded.len(),
@@ -195,9 +206,9 @@ fn report_model(source: &str, model: &ifc::Model, meshed: usize, twice: usize, o
         );
     }
     if twice > 0 {
-        eprintln!("  warning: {twice} products repeat another's GlobalId; the first of each was kept");
+        say!("  warning: {twice} products repeat another's GlobalId; the first of each was kept");
     }
-    model.warnings.iter().for_each(|w| eprintln!("  warning: {w}"));
+    model.warnings.iter().for_each(|w| say!("  warning: {w}"));
 }
 
 /// A box to the millimetre.
@@ -209,9 +220,9 @@ fn shown(b: &Aabb) -> String {
 /// Names all missing, but of a long list only the beginning unless they are few.
 fn list(what: &str, names: &[String]) {
     const SHOWN: usize = 40;
-    names.iter().take(SHOWN).for_each(|n| eprintln!("  {what}: {n}"));
+    names.iter().take(SHOWN).for_each(|n| say!("  {what}: {n}"));
     if names.len() > SHOWN {
-        eprintln!("  … and {} more", names.len() - SHOWN);
+        say!("  … and {} more", names.len() - SHOWN);
     }
 }
 
@@ -220,28 +231,37 @@ fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
     let delete = "DELETE FROM station WHERE source = $1 AND epoch = $2";
     let replaced = tx.execute(delete, &[&source, &args.epoch]).map_err(explain)?;
     if replaced > 0 {
-        eprintln!(
-            "{source}: replaces {replaced} stations of epoch {} loaded before from a file of that name",
-            args.epoch
-        );
+        say!("{source}: replaces {replaced} stations of epoch {} loaded before from a file of that name", args.epoch);
     }
     let bar = progress(&format!("reading {source}"), "points");
     let mut total = Total::default();
     let options = ReadOptions { origin: args.origin };
     read::read_scans(file, &options, &bar, &mut |scan| {
         if scan.beams.is_empty() {
-            eprintln!("  {}: empty, passed over", scan.name);
+            say!("  {}: empty, passed over", scan.name);
             return Ok(());
         }
         let packed = store(args, &source, &scan, tx)?;
+        if packed.beams == packed.no_returns {
+            say!("  warning: {}: no return of it is left", scan.name);
+        }
+        if let (Some(_), Some(given)) = (scan.world_from_scan, args.origin)
+            && scan.anchor != given
+        {
+            say!("  {}: the file tells the scanner's position, which goes before --origin", scan.name);
+        }
         total.add(&scan, &packed);
         Ok(())
     })?;
     bar.finish_and_clear();
-    if total.beams == 0 {
-        bail!("{}: every point is nearer than --min-range {} m", file.display(), args.min_range);
+    if total.returns() == 0 {
+        let why = match total.too_near {
+            0 => "no beam of it returned".into(),
+            n => format!("its {n} returns are all nearer than --min-range {} m", args.min_range),
+        };
+        bail!("{}: nothing to load: {why}", file.display());
     }
-    eprintln!(
+    say!(
         "{source}: epoch {}, {} stations, {} beams, {} without return, {} too near (< {} m) dropped",
         args.epoch,
         total.stations,
@@ -250,12 +270,12 @@ fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
         count(total.too_near),
         args.min_range
     );
-    eprintln!("  box {}", shown(&total.points));
+    say!("  box {}", shown(&total.points));
     if total.unusable > 0 {
-        eprintln!("  warning: {} points are not finite or impossibly far, and were dropped", total.unusable);
+        say!("  warning: {} points are not finite or impossibly far, and were dropped", total.unusable);
     }
     if total.without_origin > 0 {
-        eprintln!(
+        say!(
             "  warning: {} of them without scanner position: their points are kept, but say nothing in a verdict yet; \
              give --origin x,y,z if they were scanned from one place",
             total.without_origin
@@ -282,6 +302,10 @@ impl Default for Total {
 }
 
 impl Total {
+    fn returns(&self) -> u64 {
+        self.beams - self.no_returns
+    }
+
     fn add(&mut self, scan: &RawScan, packed: &Packed) {
         self.stations += 1;
         self.without_origin += u64::from(scan.world_from_scan.is_none());
@@ -316,7 +340,7 @@ fn warn_apart(client: &mut Client, epoch: i32) -> Result<()> {
         EXISTS (SELECT FROM building_object o JOIN scan s ON s.epoch = $1 AND s.patch && o.solid)";
     let row = client.query_one(question, &[&epoch]).map_err(explain)?;
     if row.get::<_, bool>(0) && row.get::<_, bool>(1) && !row.get::<_, bool>(2) {
-        eprintln!(
+        say!(
             "warning: no beam of epoch {epoch} comes near any object: are model and scans in the same coordinate system?"
         );
     }

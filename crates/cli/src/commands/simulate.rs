@@ -7,7 +7,7 @@ use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::num::text::numbers;
 
-use crate::output::{count, progress, spinner};
+use crate::output::{count, progress, say, spinner};
 use crate::read::ifc;
 use crate::simulate::changes::Changes;
 use crate::simulate::scanner::Scanner;
@@ -62,8 +62,10 @@ pub struct SimulateArgs {
 }
 
 pub fn run(args: &SimulateArgs) -> Result<()> {
+    check_output(args)?;
     let scanner = scanner(args)?;
     let stations = read_stations(&args.stations)?;
+    check_size(&scanner, stations.len())?;
     let changes = args.built.as_deref().map_or_else(|| Ok(Changes::default()), Changes::read)?;
     let bar = spinner(&format!("meshing {}", args.model.display()));
     let model = ifc::read(&args.model, Duration::from_secs(300))?;
@@ -79,13 +81,44 @@ pub fn run(args: &SimulateArgs) -> Result<()> {
     bar.finish_and_clear();
     write_e57(&args.out, &scans)?;
     let shots = || scans.iter().flat_map(|s| &s.shots);
-    eprintln!(
+    say!(
         "{}: {} stations, {} beams, {} without return",
         args.out.display(),
         scans.len(),
         count(shots().count() as u64),
         count(shots().filter(|s| !s.returned).count() as u64)
     );
+    Ok(())
+}
+
+/// The output is E57 and none of the inputs.
+fn check_output(args: &SimulateArgs) -> Result<()> {
+    if !args.out.extension().is_some_and(|e| e.eq_ignore_ascii_case("e57")) {
+        bail!("--out {}: scans are written as E57; give a name that ends in .e57", args.out.display());
+    }
+    let same = |input: &Path| input.canonicalize().ok().is_some_and(|i| args.out.canonicalize().is_ok_and(|o| o == i));
+    let inputs = [Some(&args.model), Some(&args.stations), args.built.as_ref()];
+    match inputs.into_iter().flatten().find(|input| same(input)) {
+        Some(input) => bail!("--out {} would overwrite the input {}", args.out.display(), input.display()),
+        None => Ok(()),
+    }
+}
+
+/// Most beams of one call: they are in memory, and so is the file.
+const MAX_BEAMS: f64 = 200e6;
+
+fn check_size(scanner: &Scanner, stations: usize) -> Result<()> {
+    let (columns, rows) = scanner.grid();
+    let beams = f64::from(columns) * f64::from(rows) * stations as f64;
+    if beams > MAX_BEAMS {
+        bail!(
+            "--step-mrad {} from {stations} stations makes {} beams, more than {} at once; take a larger step, or \
+             simulate the stations one by one",
+            scanner.step * 1e3,
+            count(beams as u64),
+            count(MAX_BEAMS as u64)
+        );
+    }
     Ok(())
 }
 
@@ -119,7 +152,7 @@ fn scanner(args: &SimulateArgs) -> Result<Scanner> {
 fn read_stations(path: &Path) -> Result<Vec<Vec3>> {
     let text = std::fs::read_to_string(path).with_context(|| format!("{}: cannot read it", path.display()))?;
     let mut out = Vec::new();
-    for (i, line) in text.lines().enumerate() {
+    for (i, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
         let line = line.split('#').next().unwrap_or("").trim();
         if !line.is_empty() {
             let Some(p) = numbers::<3>(line) else {

@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use super::load::parse_loa;
 use crate::database::connect::{DatabaseArgs, explain};
+use crate::database::tables;
 use crate::output::{Format, Table, rounded, spinner};
 
 #[derive(clap::Args, Debug)]
@@ -19,7 +20,7 @@ worst well-seen face along its outward normal and shift the rigid offset (x, y, 
 in metres; '-' marks a direction that the seen faces do not determine.")]
 pub struct VerifyArgs {
     /// Epoch of the scans
-    #[arg(long, default_value_t = 1, value_name = "N")]
+    #[arg(long, default_value_t = 1, value_name = "N", allow_hyphen_values = true)]
     epoch: i32,
     /// Judge every object at this level of accuracy, instead of at its own
     #[arg(long, value_parser = parse_loa)]
@@ -47,9 +48,10 @@ pub struct VerifyArgs {
 }
 
 const VERDICTS: &str = "
-SELECT o.name, o.global_id, o.ifc_class, o.storey, s.verdict, s.best_loa::text, s.samples, s.coverage,
+SELECT o.name, o.global_id, o.ifc_class, o.storey, o.loa, s.verdict, s.best_loa::text, s.samples, s.coverage,
        s.confirmed, s.refuted, s.open, s.conflict, s.deviation, s.deviation_sd, s.shift
 FROM  (SELECT o.id, o.name, o.global_id, o.ifc_class, o.storey,
+              coalesce($2, o.loa::text) AS loa,
               ab_evidence_agg(o.solid, s.patch, ab_evidence_model(
                   loa => coalesce($2::text::ab_loa, o.loa), model => $3, spacing => $4,
                   sigma_range => $5, sigma_station => $6, confidence => $7)) AS e
@@ -60,6 +62,7 @@ ORDER  BY o.id";
 
 pub fn run(args: &VerifyArgs) -> Result<()> {
     let mut client = args.database.connect()?;
+    tables::check_search_path(&mut client)?;
     let there = "SELECT to_regclass('building_object') IS NOT NULL AND to_regclass('scan') IS NOT NULL";
     if !client.query_one(there, &[]).map_err(explain)?.get::<_, bool>(0) {
         bail!("this database has no tables building_object and scan; fill them: asbuilt load MODEL.ifc SCAN.e57");
@@ -81,7 +84,7 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     if wide {
         columns.extend(["global_id", "ifc_class", "storey"]);
     }
-    columns.extend(["verdict", "best_loa", "samples", "coverage", "confirmed", "refuted", "open", "conflict"]);
+    columns.extend(["loa", "verdict", "best_loa", "samples", "coverage", "confirmed", "refuted", "open", "conflict"]);
     columns.extend(["deviation", "deviation_sd", "shift"]);
     let mut table = Table::new(&columns);
     for row in &rows {
@@ -91,12 +94,12 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
         if wide {
             out.extend([text(1), text(2), text(3)]);
         }
-        let samples = row.get::<_, Option<i64>>(6).map_or(Value::Null, Value::from);
+        let samples = row.get::<_, Option<i64>>(7).map_or(Value::Null, Value::from);
         // No solid, no evidence: the object is there all the same.
-        let verdict = if text(4).is_null() { Value::from("unobserved") } else { text(4) };
-        out.extend([verdict, text(5), samples]);
-        out.extend((7..12).map(|i| number(i, 3)));
-        out.extend([number(12, 4), number(13, 4), text(14)]);
+        let verdict = if text(5).is_null() { Value::from("unobserved") } else { text(5) };
+        out.extend([text(4), verdict, text(6), samples]);
+        out.extend((8..13).map(|i| number(i, 3)));
+        out.extend([number(13, 4), number(14, 4), text(15)]);
         table.push(out);
     }
     table.print(args.format)

@@ -39,7 +39,8 @@ impl<'a> Lines<'a> {
         if read == LONGEST {
             bail!("line {} is longer than {LONGEST} characters: not a text file of points", self.number);
         }
-        match std::str::from_utf8(&self.line) {
+        let bytes = if self.number == 1 { self.line.strip_prefix(b"\xef\xbb\xbf") } else { None };
+        match std::str::from_utf8(bytes.unwrap_or(&self.line)) {
             Ok(text) => Ok(Some(text.trim())),
             Err(_) => bail!("line {} is not text", self.number),
         }
@@ -61,12 +62,43 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// The first `N` numbers of a line; blanks, commas, semicolons and tabs part them.
+/// The first `N` numbers of a line. Blanks, tabs and semicolons part them, and commas where these do not; a comma
+/// within a number that they part is its decimal mark (`1,50;2,50;3,50`).
 pub fn numbers<const N: usize>(line: &str) -> Option<[f64; N]> {
+    let parted = || line.split([' ', ';', '\t']).map(|w| w.trim_end_matches(',')).filter(|w| !w.is_empty());
+    let decimal_commas = parted().take(N).filter(|w| w.matches(',').count() <= 1).count() == N;
+    if N > 1 && decimal_commas {
+        parse(parted().map(|w| w.replace(',', ".")))
+    } else {
+        parse(line.split([' ', ';', '\t', ',']).filter(|w| !w.is_empty()).map(ToOwned::to_owned))
+    }
+}
+
+fn parse<const N: usize>(mut words: impl Iterator<Item = String>) -> Option<[f64; N]> {
     let mut out = [0.0; N];
-    let mut words = line.split([' ', ',', ';', '\t']).filter(|w| !w.is_empty());
     for slot in &mut out {
         *slot = words.next()?.parse().ok()?;
     }
     Some(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::numbers;
+
+    #[test]
+    fn separators_and_decimal_marks() {
+        for (line, expected) in [
+            ("1.5 2.5 3.5 255 0 0", Some([1.5, 2.5, 3.5])),
+            ("1.5,2.5,3.5", Some([1.5, 2.5, 3.5])),
+            ("1.5, 2.5, 3.5, 9", Some([1.5, 2.5, 3.5])),
+            ("1,5;2,5;3,5", Some([1.5, 2.5, 3.5])),
+            ("1,5\t2,5\t3,5\t0,1", Some([1.5, 2.5, 3.5])),
+            ("1.5,2.5,3.5 255", Some([1.5, 2.5, 3.5])),
+            ("1.5;2.5", None),
+            ("x y z", None),
+        ] {
+            assert_eq!(numbers::<3>(line), expected, "{line}");
+        }
+    }
 }

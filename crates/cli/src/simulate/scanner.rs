@@ -52,10 +52,15 @@ pub struct SimulatedScan {
 }
 
 impl Scanner {
+    /// Columns and rows of a scan.
+    pub fn grid(&self) -> (u32, u32) {
+        let rows = (PI / 2.0 - self.min_elevation) / self.step;
+        ((TAU / self.step).floor() as u32, rows.floor() as u32)
+    }
+
     /// Scans from `station`. The same seed gives the same scan, whatever the number of threads.
     pub fn scan(&self, scene: &Scene, station: &Vec3, seed: u64) -> SimulatedScan {
-        let columns = (TAU / self.step).floor() as u32;
-        let rows = ((PI / 2.0 - self.min_elevation) / self.step).floor() as u32;
+        let (columns, rows) = self.grid();
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let heading = rng.random_range(0.0..TAU);
         let registered = station + Vec3::from_fn(|_, _| self.normal(self.sigma_registration, &mut rng));

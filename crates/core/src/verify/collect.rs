@@ -21,8 +21,10 @@ pub struct Collector {
 
 impl Collector {
     /// Spreads samples over the solid; no patch has spoken yet.
-    pub fn new(solid: &Solid, model: EvidenceModel, interrupt: Interrupt) -> Result<Self> {
+    pub fn new(solid: &Solid, mut model: EvidenceModel, interrupt: Interrupt) -> Result<Self> {
         let samples = Samples::on(solid, model.spacing, interrupt)?;
+        // What the value says of itself; beyond the parameter's range only on objects of 500 km².
+        model.spacing = Samples::effective_spacing(solid, model.spacing).min(EvidenceModel::MAX_SPACING_M);
         let balls = samples.balls(interrupt)?;
         let fingerprint = solid.fingerprint(interrupt)?;
         let evidence = Evidence { model, fingerprint, bounds: solid.bounds(), samples, stations: Vec::new() };
@@ -124,7 +126,7 @@ impl Collector {
         if stations[station].blocks.is_empty() {
             stations.remove(station);
         }
-        Ok(())
+        self.evidence.check_size()
     }
 
     /// How far from the scanner a patch can speak, metres: behind its farthest return by the search band as a

@@ -3,11 +3,14 @@
 use std::collections::BTreeMap;
 
 use super::model::EvidenceModel;
-use super::sample::Samples;
+use super::sample::{BLOCK, Samples};
 use super::sums::Sums;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::{Interrupt, poll_now_and_then};
+
+/// Most sums (48 bytes each in memory) of one value: more than PostgreSQL's 1 GB holds at 16 bytes a sum.
+pub(super) const MAX_SUMS: usize = 64_000_000;
 
 /// What one station's beams add up to, by block of samples; blocks it never saw are absent.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,6 +112,17 @@ impl Evidence {
         Self { samples: self.samples.clone(), stations: Vec::new(), ..*self }
     }
 
+    /// Fails where stations and samples together are more than a value may hold.
+    pub(super) fn check_size(&self) -> Result<()> {
+        let blocks = self.stations.iter().map(|s| s.blocks.len()).sum::<usize>();
+        let sums = blocks * BLOCK;
+        if sums > MAX_SUMS {
+            let value = format!("{sums} (samples times stations)");
+            return Err(Error::Limit { what: "the evidence about one solid", value, limit: MAX_SUMS.to_string() });
+        }
+        Ok(())
+    }
+
     /// Adds evidence about the same solid. Sums are integers: the result does not depend on order or grouping.
     pub fn merge(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
         let mismatch = |reason: &str| Err(Error::Mismatch { reason: reason.into() });
@@ -124,6 +138,7 @@ impl Evidence {
         for theirs in &other.stations {
             let i = self.station_index(theirs.id, theirs.origin);
             self.stations[i].add(theirs, interrupt)?;
+            self.check_size()?;
         }
         Ok(())
     }

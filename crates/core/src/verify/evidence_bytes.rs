@@ -5,7 +5,7 @@
 //! u8); samples 3×f32; per station its number i64, origin 3×f64, blocks present u32, and per block its number
 //! (varint, difference) and per sample the beams (varint) and, unless 0, five signed varints.
 
-use super::evidence::{Evidence, EvidenceHeader, Station};
+use super::evidence::{Evidence, EvidenceHeader, MAX_SUMS, Station};
 use super::model::{EvidenceModel, ModelKind};
 use super::sample::{BLOCK, Block, Samples};
 use super::sums::Sums;
@@ -66,7 +66,7 @@ impl Evidence {
         let position = |i| poll_now_and_then(i, interrupt).and_then(|()| finite_position(&mut r));
         let positions = (0..samples).map(position).collect::<Result<Vec<_>>>()?;
         let samples = Samples { reference: h.reference, positions, normals, blocks, two_sided: h.two_sided };
-        let mut room = MAX_SUMS;
+        let mut room = MAX_SUMS / BLOCK;
         let stations = (0..stations)
             .map(|_| read_station(&mut r, &samples, h.model.kind, &mut room, interrupt))
             .collect::<Result<Vec<_>>>()?;
@@ -156,10 +156,6 @@ fn write_station(station: &Station, out: &mut Vec<u8>, interrupt: Interrupt) -> 
     Ok(())
 }
 
-/// Most sums (48 bytes each in memory) of one value: more than PostgreSQL's 1 GB holds at 16 bytes a sum, so that
-/// what was written can be read.
-const MAX_SUMS: usize = 64_000_000;
-
 fn read_station(
     r: &mut Reader,
     samples: &Samples,
@@ -183,7 +179,7 @@ fn read_station(
         let i = next.saturating_add(r.varint()?);
         let place = usize::try_from(i).unwrap_or(usize::MAX);
         let block = samples.blocks.get(place).ok_or_else(|| r.bad(format!("sums for block {i}")))?;
-        *room = room.checked_sub(block.len as usize).ok_or_else(|| r.bad(format!("more than {MAX_SUMS} sums")))?;
+        *room = room.checked_sub(1).ok_or_else(|| r.bad(format!("more than {MAX_SUMS} sums")))?;
         let sums = (0..block.len).map(|_| read_sums(r, kind)).collect::<Result<Box<[Sums]>>>()?;
         station.blocks.insert(i as u32, sums);
         next = i + 1;

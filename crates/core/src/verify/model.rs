@@ -93,7 +93,7 @@ type Field = (&'static str, fn(&mut EvidenceModel) -> &mut f64, f64, f64, &'stat
 
 /// Name, place, allowed range, and that range in words, of every number.
 const FIELDS: [Field; 13] = [
-    ("spacing", |m| &mut m.spacing, 1e-4, 10.0, "between 0.0001 and 10 m"),
+    ("spacing", |m| &mut m.spacing, 1e-4, EvidenceModel::MAX_SPACING_M, "between 0.0001 and 10 m"),
     ("sigma_range", |m| &mut m.sigma_range, 0.0, 1.0, "between 0 and 1 m"),
     ("sigma_angle", |m| &mut m.sigma_angle, 0.0, 0.1, "between 0 and 0.1 rad"),
     ("sigma_station", |m| &mut m.sigma_station, 0.0, 1.0, "between 0 and 1 m"),
@@ -109,6 +109,9 @@ const FIELDS: [Field; 13] = [
 ];
 
 impl EvidenceModel {
+    /// Widest spacing of samples, metres.
+    pub const MAX_SPACING_M: f64 = 10.0;
+
     /// Bytes of the stored form: model u32, level of accuracy u32, then the numbers as f64, little-endian.
     pub const LEN: usize = 8 + 8 * FIELDS.len();
 

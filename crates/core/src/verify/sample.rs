@@ -36,10 +36,15 @@ pub struct Block {
 }
 
 impl Samples {
-    /// Spreads samples over `solid`, one for about every `spacing`² of its area (m); wider apart on an object so
-    /// large that it would have more than five million. A solid without area has none.
+    /// The spacing that `solid` really gets: wider than asked on an object that would have more than five million.
+    pub fn effective_spacing(solid: &Solid, spacing: f64) -> f64 {
+        spacing.max((solid.area() / MAX_SAMPLES).sqrt())
+    }
+
+    /// Spreads samples over `solid`, one for about every [`Samples::effective_spacing`]² of its area (m). A solid
+    /// without area has none.
     pub fn on(solid: &Solid, spacing: f64, interrupt: Interrupt) -> Result<Self> {
-        let spacing = spacing.max((solid.area() / MAX_SAMPLES).sqrt());
+        let spacing = Self::effective_spacing(solid, spacing);
         let faces = group_faces(solid, interrupt)?;
         let reference = solid.bounds().centre().map(|c| c.round());
         let mut by_face: Vec<Vec<Vec3>> = vec![Vec::new(); faces.normals.len()];

@@ -51,6 +51,8 @@ impl Default for VerdictRule {
 const MIN_SEEN: u64 = 5;
 /// Least share of the seen samples that must be decided; below it everything is open.
 const MIN_DECIDED: f64 = 0.2;
+/// Least share of the seen samples that must speak for the object before it is confirmed.
+const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
 /// A face counts as well seen with this share of the object's samples that have a surface.
 const WELL_SEEN_SHARE: f64 = 0.03;
 const WELL_SEEN_SAMPLES: u64 = 10;
@@ -229,6 +231,10 @@ fn decide(faces: &[FaceReport], totals: &Totals, model: &EvidenceModel, rule: &V
     let worst = faces.iter().any(|f| (well_seen(f, totals) && f.displaced) || mostly_refuted(f, totals));
     if worst || (totals.confirmed as f64) < rule.min_confirmed * decided {
         return Verdict::Deviating;
+    }
+    // What stays open is too rough or too noisy for this tolerance; the ray model leaves most open by its nature.
+    if model.kind == ModelKind::Surface && (totals.confirmed as f64) < MIN_CONFIRMED_OF_SEEN * seen {
+        return Verdict::Unobserved;
     }
     Verdict::Confirmed
 }

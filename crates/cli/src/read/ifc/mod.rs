@@ -75,7 +75,7 @@ impl Product {
 pub fn read(path: &Path, limit: Duration) -> Result<Model> {
     std::fs::metadata(path).with_context(|| format!("{}: cannot open it", path.display()))?;
     let mut command = Command::new(std::env::current_exe()?);
-    command.arg("mesh-ifc").arg(path).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
+    command.arg("mesh-ifc").arg(path).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null());
     // Settings of the geometry library from the user's environment would change the result.
     for (name, _) in std::env::vars_os().filter(|(n, _)| n.to_string_lossy().starts_with("IFC_LITE_")) {
         command.env_remove(name);
@@ -114,6 +114,11 @@ fn receive(child: &mut Child, limit: Duration) -> Result<Vec<u8>> {
 
 /// The child's side: meshes the file and writes the answer to standard output.
 pub fn answer(path: &Path) -> Result<()> {
+    // The parent holds the other end of standard input: it ends with the parent, however that ends.
+    std::thread::spawn(|| {
+        let _ = std::io::copy(&mut std::io::stdin().lock(), &mut std::io::sink());
+        std::process::exit(1);
+    });
     let answer: Answer = match std::fs::read(path) {
         Ok(bytes) => geometry::read(&bytes),
         Err(e) => Err(format!("cannot read it: {e}")),

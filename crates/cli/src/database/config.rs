@@ -1,0 +1,62 @@
+//! Connection settings as psql takes them from the environment.
+
+use std::env;
+
+use anyhow::{Context, Result, bail};
+use postgres::Config;
+use postgres::config::SslMode;
+
+use super::connect::explain;
+use super::pgpass;
+
+/// A variable that is set and not empty.
+pub fn var(name: &str) -> Option<String> {
+    env::var(name).ok().filter(|v| !v.is_empty())
+}
+
+/// Connection settings from `--db` and, for what it leaves open, the environment.
+pub fn config(text: &str) -> Result<Config> {
+    let mut c: Config =
+        text.parse().map_err(explain).with_context(|| format!("--db \"{text}\" is no connection URL"))?;
+    if c.get_hosts().is_empty() && c.get_hostaddrs().is_empty() {
+        c.host(var("PGHOST").as_deref().unwrap_or("/var/run/postgresql"));
+    }
+    if c.get_ports().is_empty()
+        && let Some(port) = var("PGPORT")
+    {
+        c.port(port.parse().with_context(|| format!("PGPORT \"{port}\" is no port number"))?);
+    }
+    if c.get_user().is_none()
+        && let Some(user) = var("PGUSER")
+    {
+        c.user(&user);
+    }
+    if c.get_dbname().is_none()
+        && let Some(name) = var("PGDATABASE")
+    {
+        c.dbname(&name);
+    }
+    if c.get_options().is_none()
+        && let Some(options) = var("PGOPTIONS")
+    {
+        c.options(&options);
+    }
+    if c.get_password().is_none()
+        && let Some(password) = var("PGPASSWORD").or_else(|| pgpass::password(&c))
+    {
+        c.password(password);
+    }
+    if let Some(service) = var("PGSERVICE").filter(|_| text.is_empty()) {
+        bail!("PGSERVICE={service}: this program does not read service files; give --db URL instead");
+    }
+    if let (false, Some(mode)) = (text.contains("sslmode"), var("PGSSLMODE")) {
+        match mode.as_str() {
+            "disable" => c.ssl_mode(SslMode::Disable),
+            "prefer" | "allow" => &mut c,
+            _ => {
+                bail!("PGSSLMODE={mode} asks for TLS, which this program cannot do yet; tunnel the connection (ssh -L)")
+            }
+        };
+    }
+    Ok(c)
+}

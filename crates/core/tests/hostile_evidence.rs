@@ -1,0 +1,70 @@
+//! Crafted evidence: small files that promise much.
+
+use asbuilt_core::NEVER;
+use asbuilt_core::geometry::Solid;
+use asbuilt_core::num::bytes::Put;
+use asbuilt_core::verify::{Collector, Evidence, EvidenceModel};
+
+/// The head of a real value with other counts: one face, then blocks, samples and stations as given.
+fn head(blocks: u32, samples: u32, stations: u32) -> Vec<u8> {
+    let cube = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap();
+    let evidence = Collector::new(&cube, EvidenceModel::default(), NEVER).unwrap().into_evidence();
+    let mut out = evidence.to_bytes(NEVER).unwrap()[..Evidence::HEADER_LEN].to_vec();
+    for (i, n) in [1, blocks, samples, stations].into_iter().enumerate() {
+        out[8 + 4 * i..12 + 4 * i].copy_from_slice(&n.to_le_bytes());
+    }
+    [0.0, 0.0, 1.0].into_iter().for_each(|c| out.put_f64(c));
+    out
+}
+
+/// Every station could speak about every block, but each speaks about one: memory goes by what is there.
+#[test]
+fn forty_thousand_stations_on_forty_thousand_blocks() {
+    const N: u32 = 40_000;
+    let mut bytes = head(N, N, N);
+    for _ in 0..N {
+        bytes.put(&[0, 1]);
+    }
+    (0..3 * N).for_each(|_| bytes.put_f32(0.5));
+    for station in 0..N {
+        bytes.put_i64(i64::from(station));
+        [0.0; 3].into_iter().for_each(|c| bytes.put_f64(c));
+        bytes.put_u32(1);
+        bytes.put_varint(u64::from(station));
+        bytes.put_varint(0);
+    }
+    assert!(bytes.len() < 3_000_000);
+    let e = Evidence::from_bytes(&bytes, NEVER).unwrap();
+    assert_eq!(e.stations().len(), N as usize);
+    assert_eq!(e.to_bytes(NEVER).unwrap(), bytes);
+}
+
+/// 2²⁶ blocks of 64 samples are 2³², which is no sample at all in 32 bits.
+#[test]
+fn blocks_that_count_round_to_zero() {
+    const N: u32 = 1 << 26;
+    let mut bytes = head(N, 0, 0);
+    bytes.resize(bytes.len() + 2 * N as usize, 0);
+    let start = bytes.len() - 2 * N as usize;
+    bytes[start..].iter_mut().skip(1).step_by(2).for_each(|b| *b = 64);
+    let error = Evidence::from_bytes(&bytes, NEVER).unwrap_err().to_string();
+    assert!(error.contains("its blocks do not hold its samples"), "{error}");
+}
+
+/// What every station says of every block is more than a value may hold.
+#[test]
+fn more_sums_than_memory() {
+    const BLOCKS: u32 = 20_000;
+    const STATIONS: u32 = 60;
+    let mut bytes = head(BLOCKS, 64 * BLOCKS, STATIONS);
+    (0..BLOCKS).for_each(|_| bytes.put(&[0, 64]));
+    (0..3 * 64 * BLOCKS).for_each(|_| bytes.put_f32(0.5));
+    for station in 0..STATIONS {
+        bytes.put_i64(i64::from(station));
+        [0.0; 3].into_iter().for_each(|c| bytes.put_f64(c));
+        bytes.put_u32(BLOCKS);
+        bytes.resize(bytes.len() + 65 * BLOCKS as usize, 0);
+    }
+    let error = Evidence::from_bytes(&bytes, NEVER).unwrap_err().to_string();
+    assert!(error.contains("sums"), "{error}");
+}
