@@ -2,10 +2,11 @@
 #   make demo                                  install what is missing, build, load a demo building, verify it
 #   make demo MODEL=x.ifc SCANS="a.e57 b.e57"  the same on your own files
 #   make test                                  every test
-#   make install PG_CONFIG=/path/to/pg_config  into a local PostgreSQL
+#   make install PG_CONFIG=/path/to/pg_config  the extension into a local PostgreSQL, the program into BINDIR
 
 PG_VERSION ?= 15
 PG_CONFIG ?= /usr/lib/postgresql/$(PG_VERSION)/bin/pg_config
+BINDIR ?= /usr/local/bin
 export PG_VERSION PG_CONFIG
 
 MODEL ?=
@@ -29,6 +30,7 @@ installcheck:
 
 install: setup
 	scripts/install.sh
+	$$([ -w "$(BINDIR)" ] || echo sudo) install -m 755 target/release/asbuilt "$(BINDIR)/asbuilt"
 
 bench: setup
 	scripts/bench.sh

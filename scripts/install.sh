@@ -16,4 +16,4 @@ if ! cargo pgrx install --release $sudo --pg-config "$PG_CONFIG" --no-default-fe
 fi
 echo "install: building the program asbuilt"
 cargo build --release --quiet -p asbuilt-cli
-echo "install: done; in psql: CREATE EXTENSION asbuilt; in the shell: $PWD/target/release/asbuilt --help"
+echo "install: done; in psql: CREATE EXTENSION asbuilt; the program is target/release/asbuilt"
