@@ -82,6 +82,22 @@ pub enum Error {
     /// Two sources that exclude each other wholly.
     #[error("the masses are in total conflict: one says occupied with certainty, the other empty")]
     TotalConflict,
+    /// A matrix that is no covariance.
+    #[error("{what} is {reason}")]
+    Covariance {
+        /// Whose covariance.
+        what: &'static str,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// Objects that do not determine what was asked of them.
+    #[error("{what} is undetermined: {reason}")]
+    Degenerate {
+        /// What was asked.
+        what: &'static str,
+        /// Why the objects do not determine it.
+        reason: String,
+    },
     /// Evidence values that cannot be added up.
     #[error("the evidence values do not belong together: {reason}")]
     Mismatch {

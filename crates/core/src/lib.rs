@@ -4,6 +4,7 @@
 //!
 //! * [`num`]: the normal distribution, byte cursors, shortest decimal text;
 //! * [`geometry`]: boxes, triangle meshes ([`geometry::Solid`]), their faces;
+//! * [`uncertain`]: points, lines, planes and poses with covariance, and tests on them;
 //! * [`evidence`]: belief masses, Dempster's rule, the published ray model, levels of accuracy;
 //! * [`scan`]: beams from one origin, packed in angular tiles ([`scan::Patch`]);
 //! * [`verify`]: what the beams say about a solid ([`verify::Evidence`]) and the verdict.
@@ -18,6 +19,7 @@ pub mod evidence;
 pub mod geometry;
 pub mod num;
 pub mod scan;
+pub mod uncertain;
 pub mod verify;
 
 pub use error::{Error, Result};

@@ -1,7 +1,8 @@
-//! Small numerical tools: [`normal`] distribution, order [`stats`], interruptible [`sort`], [`bytes`] cursors, decimal
+//! Small numerical tools: [`normal`] and [`chi_square`] distribution, order [`stats`], interruptible [`sort`], [`bytes`] cursors, decimal
 //! and hexadecimal [`text`].
 
 pub mod bytes;
+pub mod chi_square;
 pub mod normal;
 pub mod sort;
 pub mod stats;

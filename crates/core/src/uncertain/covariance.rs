@@ -1,0 +1,94 @@
+//! Covariance matrices: checked, packed, propagated.
+
+use nalgebra::{DMatrix, Dyn, SMatrix, SVector, SymmetricEigen};
+
+use crate::error::{Error, Result};
+use crate::num::chi_square;
+
+/// A correlation eigenvalue below this counts as zero: rank is judged free of units.
+const RANK_TOLERANCE: f64 = 1e-10;
+/// Deviation that a direction without any variance may show, metres or radians: rounding of projected coordinates.
+const EXACT_TOLERANCE: f64 = 2e-9;
+
+/// Checks that `m` is finite, symmetric and positive semi-definite (to rounding) and returns it exactly symmetric.
+pub fn checked<const N: usize>(what: &'static str, m: &SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>> {
+    if let Some(x) = m.iter().find(|x| !x.is_finite()) {
+        return Err(Error::argument(what, "finite", x));
+    }
+    let asymmetry = (m - m.transpose()).amax();
+    if asymmetry > 1e-9 * m.amax() {
+        return Err(Error::Covariance { what, reason: format!("not symmetric: two entries differ by {asymmetry:e}") });
+    }
+    let symmetric = (m + m.transpose()) * 0.5;
+    if smallest_eigenvalue(&correlation(&symmetric).0) < -1e-9 {
+        let smallest = smallest_eigenvalue(&symmetric);
+        let reason = format!("not positive semi-definite: its smallest eigenvalue is {smallest:e}");
+        return Err(Error::Covariance { what, reason });
+    }
+    Ok(symmetric)
+}
+
+fn smallest_eigenvalue<const N: usize>(m: &SMatrix<f64, N, N>) -> f64 {
+    eigen(m).eigenvalues.min()
+}
+
+fn eigen<const N: usize>(m: &SMatrix<f64, N, N>) -> SymmetricEigen<f64, Dyn> {
+    SymmetricEigen::new(DMatrix::from_iterator(N, N, m.iter().copied()))
+}
+
+/// The matrix scaled to a unit diagonal, and the scales; rows without variance keep theirs. By Sylvester's law the
+/// signs of the eigenvalues are the same, but units no longer matter.
+fn correlation<const N: usize>(m: &SMatrix<f64, N, N>) -> (SMatrix<f64, N, N>, SVector<f64, N>) {
+    let scale = SVector::<f64, N>::from_fn(|i, _| if m[(i, i)] > 0.0 { m[(i, i)].sqrt() } else { 1.0 });
+    (SMatrix::from_fn(|i, j| m[(i, j)] / (scale[i] * scale[j])), scale)
+}
+
+/// J Σ Jᵀ, exactly symmetric.
+pub fn propagate<const N: usize, const M: usize>(
+    jacobian: &SMatrix<f64, M, N>,
+    covariance: &SMatrix<f64, N, N>,
+) -> SMatrix<f64, M, M> {
+    let m = jacobian * covariance * jacobian.transpose();
+    (m + m.transpose()) * 0.5
+}
+
+/// Statistic rᵀ S⁺ r of a residual and its covariance, with the rank of S as degrees of freedom.
+///
+/// Where S is singular the pseudo-inverse is taken and the degrees of freedom are fewer. A residual along a direction
+/// without any variance is a contradiction: the statistic is then infinite.
+pub fn mahalanobis_squared<const K: usize>(residual: &SVector<f64, K>, s: &SMatrix<f64, K, K>) -> (f64, u32) {
+    if K == 1 {
+        return one_direction(residual[0], s[(0, 0)]);
+    }
+    let (c, scale) = correlation(s);
+    let eigen = eigen(&c);
+    let scaled = residual.component_div(&scale);
+    let (mut statistic, mut dof) = (0.0, 0);
+    for (lambda, direction) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+        let direction = SVector::<f64, K>::from_fn(|i, _| direction[i]);
+        let along = scaled.dot(&direction);
+        if *lambda > RANK_TOLERANCE {
+            statistic += along * along / lambda;
+            dof += 1;
+        } else if (scale.component_mul(&direction) * along).norm() > EXACT_TOLERANCE {
+            statistic = f64::INFINITY;
+        }
+    }
+    (statistic, dof)
+}
+
+fn one_direction(residual: f64, variance: f64) -> (f64, u32) {
+    if variance > 0.0 {
+        (residual * residual / variance, 1)
+    } else {
+        (if residual.abs() > EXACT_TOLERANCE { f64::INFINITY } else { 0.0 }, 0)
+    }
+}
+
+/// The factor by which a standard ellipsoid in `dimensions` grows to hold the truth with `probability`.
+pub fn confidence_factor(probability: f64, dimensions: u32) -> Result<f64> {
+    if !(probability > 0.0 && probability < 1.0) {
+        return Err(Error::argument("the probability", "between 0 and 1, both excluded", probability));
+    }
+    Ok(chi_square::quantile(probability, dimensions).sqrt())
+}

@@ -1,0 +1,183 @@
+//! Best-fit line and plane through uncertain points, with covariance.
+//!
+//! Maximum likelihood with the points' own covariances: residuals across the object, weighted by their variance in that
+//! direction, by Gauss-Newton from the principal axes. Points without any uncertainty weigh alike, and the variance
+//! comes from their residuals.
+
+use nalgebra::{Matrix2, Matrix3, Matrix4, SMatrix, SymmetricEigen, Vector2, Vector3, Vector4};
+
+use super::{Line, Plane, Point, Stored};
+use crate::error::{Error, Result};
+use crate::geometry::{Aabb, Vec3};
+use crate::{Interrupt, poll_now_and_then};
+
+const ROUNDS: usize = 10;
+/// Standard deviation of a point that is called exact among uncertain ones, metres.
+const LEAST_SD_M: f64 = 1e-6;
+/// The points must spread by this part of their length in a direction to determine one across.
+const LEAST_SPREAD: f64 = 1e-8;
+
+/// Two unit vectors that make a right-handed frame with `axis`.
+pub(super) fn across(axis: &Vec3) -> [Vec3; 2] {
+    let helper = if axis.z.abs() < 0.9 { Vec3::z() } else { Vec3::x() };
+    let r = helper.cross(axis).normalize();
+    [r, axis.cross(&r)]
+}
+
+struct Start {
+    centre: Vec3,
+    /// Principal axes, longest spread first, with their standard spreads.
+    axes: [Vec3; 3],
+    spread: [f64; 3],
+    exact: bool,
+}
+
+impl Start {
+    fn of(points: &[Point], what: &'static str, least: usize, interrupt: Interrupt) -> Result<Self> {
+        if points.len() < least {
+            let reason = format!("{} points were given, {least} are needed", points.len());
+            return Err(Error::Degenerate { what, reason });
+        }
+        let base = Aabb::around(points.iter().map(|p| &p.position)).centre();
+        let n = points.len() as f64;
+        let mut centre = Vec3::zeros();
+        for (i, p) in points.iter().enumerate() {
+            poll_now_and_then(i, interrupt)?;
+            centre += (p.position - base) / n;
+        }
+        let centre = base + centre;
+        let mut scatter = Matrix3::zeros();
+        for (i, p) in points.iter().enumerate() {
+            poll_now_and_then(i, interrupt)?;
+            let d = p.position - centre;
+            scatter += d * d.transpose() / n;
+        }
+        let eigen = SymmetricEigen::new(scatter);
+        let mut order = [0, 1, 2];
+        order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+        Ok(Self {
+            centre,
+            axes: order.map(|i| eigen.eigenvectors.column(i).into_owned()),
+            spread: order.map(|i| eigen.eigenvalues[i].max(0.0).sqrt()),
+            exact: points.iter().all(|p| p.covariance == Matrix3::zeros()),
+        })
+    }
+}
+
+/// The plane that fits best, its normal's largest component positive.
+pub fn plane(points: &[Point], interrupt: Interrupt) -> Result<Plane> {
+    let start = Start::of(points, "the best-fit plane", 3, interrupt)?;
+    if start.spread[1] <= (LEAST_SPREAD * start.spread[0]).max(super::join::LEAST_LENGTH_M) {
+        let reason = "the points lie on one line".into();
+        return Err(Error::Degenerate { what: "the best-fit plane", reason });
+    }
+    let (mut c, mut n) = (start.centre, start.axes[2]);
+    let mut inverse = Matrix3::zeros();
+    for _ in 0..ROUNDS {
+        let [r, s] = across(&n);
+        let (mut normal_matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
+        for (i, p) in points.iter().enumerate() {
+            poll_now_and_then(i, interrupt)?;
+            let d = p.position - c;
+            let row = Vector3::new(d.dot(&r), d.dot(&s), -1.0);
+            let w = if start.exact { 1.0 } else { 1.0 / n.dot(&(p.covariance * n)).max(LEAST_SD_M.powi(2)) };
+            normal_matrix += row * row.transpose() * w;
+            right -= row * (w * d.dot(&n));
+        }
+        inverse = inverted(&normal_matrix, "the best-fit plane")?;
+        let step = inverse * right;
+        c += n * step.z;
+        n = (n + r * step.x + s * step.y).normalize();
+        if step.x.hypot(step.y) < 1e-12 && step.z.abs() < 1e-12 {
+            break;
+        }
+    }
+    if start.exact {
+        let sum: f64 = points.iter().map(|p| n.dot(&(p.position - c)).powi(2)).sum();
+        inverse *= sum / (points.len() as f64 - 3.0).max(1.0);
+    }
+    let [r, s] = across(&n);
+    let mut j = SMatrix::<f64, 4, 3>::zeros();
+    j.fixed_view_mut::<3, 1>(0, 0).copy_from(&r);
+    j.fixed_view_mut::<3, 1>(0, 1).copy_from(&s);
+    j[(3, 2)] = 1.0;
+    let covariance = super::covariance::propagate(&j, &inverse);
+    // With the normal, tilt and offset change their signs together: the covariance stays as it is.
+    Plane::centred(c, if n[n.iamax()] > 0.0 { n } else { -n }, &covariance).checked()
+}
+
+/// The line that fits best, from the foot of the first extreme point to that of the last, in the points' order.
+pub fn line(points: &[Point], interrupt: Interrupt) -> Result<Line> {
+    let start = Start::of(points, "the best-fit line", 2, interrupt)?;
+    if start.spread[0] <= super::join::LEAST_LENGTH_M {
+        let reason = "the points lie in one place".into();
+        return Err(Error::Degenerate { what: "the best-fit line", reason });
+    }
+    let (mut c, mut d) = (start.centre, start.axes[0]);
+    if d.dot(&(points[points.len() - 1].position - points[0].position)) < 0.0 {
+        d = -d;
+    }
+    let mut inverse = Matrix4::zeros();
+    let mut sum = 0.0;
+    for _ in 0..ROUNDS {
+        let [r, s] = across(&d);
+        let b = SMatrix::<f64, 3, 2>::from_columns(&[r, s]);
+        let (mut normal_matrix, mut right) = (Matrix4::zeros(), Vector4::zeros());
+        sum = 0.0;
+        for (i, p) in points.iter().enumerate() {
+            poll_now_and_then(i, interrupt)?;
+            let x = p.position - c;
+            let (e, t): (Vector2<f64>, f64) = (b.transpose() * x, x.dot(&d));
+            sum += e.norm_squared();
+            let floor = Matrix2::identity() * LEAST_SD_M.powi(2);
+            let weight = match start.exact {
+                true => Matrix2::identity(),
+                false => inverted(&(b.transpose() * p.covariance * b + floor), "the best-fit line")?,
+            };
+            let mut j = SMatrix::<f64, 2, 4>::zeros();
+            j.fixed_view_mut::<2, 2>(0, 0).fill_diagonal(1.0);
+            j.fixed_view_mut::<2, 2>(0, 2).fill_diagonal(t);
+            normal_matrix += j.transpose() * weight * j;
+            right += j.transpose() * weight * e;
+        }
+        inverse = inverted(&normal_matrix, "the best-fit line")?;
+        let step = inverse * right;
+        c += r * step[0] + s * step[1];
+        d = (d + r * step[2] + s * step[3]).normalize();
+        if step.amax() < 1e-12 {
+            break;
+        }
+    }
+    if start.exact {
+        inverse *= sum / (2.0 * points.len() as f64 - 4.0).max(1.0);
+    }
+    between_extremes(points, &c, &d, &inverse)
+}
+
+/// The segment between the feet of the two extreme points. Along the line an end is as uncertain as its point.
+fn between_extremes(points: &[Point], c: &Vec3, d: &Vec3, inverse: &Matrix4<f64>) -> Result<Line> {
+    let [r, s] = across(d);
+    let place = |p: &&Point| (p.position - c).dot(d);
+    let (Some(first), Some(last)) = (
+        points.iter().min_by(|a, b| place(a).total_cmp(&place(b))),
+        points.iter().max_by(|a, b| place(a).total_cmp(&place(b))),
+    ) else {
+        return Err(Error::Empty { what: "the list of points" });
+    };
+    let mut j = SMatrix::<f64, 6, 4>::zeros();
+    let mut covariance = nalgebra::Matrix6::zeros();
+    for (row, end) in [(0, first), (3, last)] {
+        let t = place(&end);
+        for (k, column) in [r, s, r * t, s * t].into_iter().enumerate() {
+            j.fixed_view_mut::<3, 1>(row, k).copy_from(&column);
+        }
+        let along = d * d.transpose() * d.dot(&(end.covariance * d));
+        covariance.fixed_view_mut::<3, 3>(row, row).copy_from(&along);
+    }
+    covariance += super::covariance::propagate(&j, inverse);
+    Line { start: c + d * place(&first), end: c + d * place(&last), covariance }.checked()
+}
+
+fn inverted<const N: usize>(m: &SMatrix<f64, N, N>, what: &'static str) -> Result<SMatrix<f64, N, N>> {
+    m.try_inverse().ok_or_else(|| Error::Degenerate { what, reason: "the points do not determine it".into() })
+}

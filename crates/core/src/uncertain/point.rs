@@ -1,0 +1,90 @@
+//! A point with its covariance.
+
+use nalgebra::{Matrix3, SymmetricEigen};
+
+use super::covariance;
+use super::stored::{Stored, get_triangle, put_triangle};
+use crate::error::{Error, Result};
+use crate::geometry::{Aabb, Vec3};
+
+/// Largest coordinate of an uncertain object, metres.
+pub(super) const MAX_COORDINATE_M: f64 = 1e9;
+
+/// A point, metres, and its covariance, m².
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// Metres.
+    pub position: Vec3,
+    /// m².
+    pub covariance: Matrix3<f64>,
+}
+
+impl Point {
+    /// A point with the same standard deviation along every axis, metres.
+    pub fn isotropic(position: Vec3, sd: f64) -> Result<Self> {
+        Self { position, covariance: Matrix3::identity() * checked_sd("the standard deviation", sd)?.powi(2) }.checked()
+    }
+
+    /// A point whose covariance need not be exactly symmetric.
+    pub fn new(position: Vec3, covariance: &Matrix3<f64>) -> Result<Self> {
+        let covariance = covariance::checked("the covariance of the point", covariance)?;
+        Self { position, covariance }.checked()
+    }
+
+    /// The ellipsoid that holds the true point with `probability`: half-axes by falling length, metres, and their unit
+    /// directions.
+    pub fn ellipsoid(&self, probability: f64) -> Result<[(f64, Vec3); 3]> {
+        let factor = covariance::confidence_factor(probability, 3)?;
+        let eigen = SymmetricEigen::new(self.covariance);
+        let mut order = [0, 1, 2];
+        order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
+        Ok(order.map(|i| (factor * eigen.eigenvalues[i].max(0.0).sqrt(), eigen.eigenvectors.column(i).into_owned())))
+    }
+
+    /// The box around the standard ellipsoid grown by `factor`.
+    pub fn bounds(&self, factor: f64) -> Aabb {
+        let half = |i: usize| factor * self.covariance[(i, i)].max(0.0).sqrt();
+        Aabb { min: [0, 1, 2].map(|i| self.position[i] - half(i)), max: [0, 1, 2].map(|i| self.position[i] + half(i)) }
+    }
+
+    /// Mahalanobis distance of two points that are uncertain independently; infinite where they differ along a
+    /// direction without variance.
+    pub fn mahalanobis(&self, other: &Self) -> f64 {
+        let s = self.covariance + other.covariance;
+        covariance::mahalanobis_squared(&(self.position - other.position), &s).0.sqrt()
+    }
+}
+
+impl Stored<9> for Point {
+    const NAME: &'static str = "ab_point";
+    const COORDINATES: usize = 3;
+
+    fn to_numbers(&self) -> [f64; 9] {
+        let mut out = [0.0; 9];
+        out[..3].copy_from_slice(self.position.as_slice());
+        put_triangle(&mut out, 3, &self.covariance);
+        out
+    }
+
+    fn from_stored(n: &[f64; 9]) -> Self {
+        Self { position: Vec3::new(n[0], n[1], n[2]), covariance: get_triangle(n, 3) }
+    }
+
+    fn checked(self) -> Result<Self> {
+        check_coordinates(&self.position)?;
+        covariance::checked("the covariance of the point", &self.covariance)?;
+        Ok(self)
+    }
+}
+
+pub(super) fn check_coordinates(p: &Vec3) -> Result<()> {
+    match p.iter().find(|c| !(-MAX_COORDINATE_M..=MAX_COORDINATE_M).contains(*c)) {
+        Some(c) => Err(Error::argument("a coordinate", "finite and within 1e9 m", c)),
+        None => Ok(()),
+    }
+}
+
+/// A standard deviation that is one.
+pub fn checked_sd(what: &'static str, sd: f64) -> Result<f64> {
+    if sd >= 0.0 && sd.is_finite() { Ok(sd) } else { Err(Error::argument(what, "0 or more, and finite", sd)) }
+}
