@@ -265,11 +265,14 @@ fn best_fits() {
     assert!((sum / plane.covariance[(3, 3)]).sqrt().max((plane.covariance[(3, 3)] / sum).sqrt()) < 1.3);
 }
 
+/// A test of the objects at `base`, one of them moved off, with errors drawn.
+type Trial = Box<dyn Fn(&mut ChaCha8Rng, f64, Vec3) -> Test>;
+
 /// One relation: the objects where it holds, drawn anew, and the same with one of them moved off.
 struct Relation {
     name: &'static str,
     dof: u32,
-    trial: Box<dyn Fn(&mut ChaCha8Rng, f64, Vec3) -> Test>,
+    trial: Trial,
 }
 
 /// All relations, exact about `base`; `off` breaks each, in units of about one standard deviation.

@@ -4,7 +4,7 @@
 //! direction, by Gauss-Newton from the principal axes. Points without any uncertainty weigh alike, and the variance
 //! comes from their residuals.
 
-use nalgebra::{Matrix2, Matrix3, Matrix4, SMatrix, SymmetricEigen, Vector2, Vector3, Vector4};
+use nalgebra::{Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, SymmetricEigen, Vector2, Vector3, Vector4};
 
 use super::{Line, Plane, Point, Stored};
 use crate::error::{Error, Result};
@@ -129,16 +129,9 @@ pub fn line(points: &[Point], interrupt: Interrupt) -> Result<Line> {
             let x = p.position - c;
             let (e, t): (Vector2<f64>, f64) = (b.transpose() * x, x.dot(&d));
             sum += e.norm_squared();
-            let floor = Matrix2::identity() * LEAST_SD_M.powi(2);
-            let weight = match start.exact {
-                true => Matrix2::identity(),
-                false => inverted(&(b.transpose() * p.covariance * b + floor), "the best-fit line")?,
-            };
-            let mut j = SMatrix::<f64, 2, 4>::zeros();
-            j.fixed_view_mut::<2, 2>(0, 0).fill_diagonal(1.0);
-            j.fixed_view_mut::<2, 2>(0, 2).fill_diagonal(t);
-            normal_matrix += j.transpose() * weight * j;
-            right += j.transpose() * weight * e;
+            let (row, weight) = observation(p, &b, t, start.exact)?;
+            normal_matrix += row.transpose() * weight * row;
+            right += row.transpose() * weight * e;
         }
         inverse = inverted(&normal_matrix, "the best-fit line")?;
         let step = inverse * right;
@@ -151,31 +144,51 @@ pub fn line(points: &[Point], interrupt: Interrupt) -> Result<Line> {
     if start.exact {
         inverse *= sum / (2.0 * points.len() as f64 - 4.0).max(1.0);
     }
-    between_extremes(points, &c, &d, &inverse)
+    between_extremes(points, &c, &d, &inverse, start.exact)
 }
 
-/// The segment between the feet of the two extreme points. Along the line an end is as uncertain as its point.
-fn between_extremes(points: &[Point], c: &Vec3, d: &Vec3, inverse: &Matrix4<f64>) -> Result<Line> {
+/// The segment between the feet of the two extreme points. Along the line an end is as uncertain as its point, whose
+/// errors across the line moved the fit too.
+fn between_extremes(points: &[Point], c: &Vec3, d: &Vec3, inverse: &Matrix4<f64>, exact: bool) -> Result<Line> {
     let [r, s] = across(d);
-    let place = |p: &&Point| (p.position - c).dot(d);
-    let (Some(first), Some(last)) = (
-        points.iter().min_by(|a, b| place(a).total_cmp(&place(b))),
-        points.iter().max_by(|a, b| place(a).total_cmp(&place(b))),
-    ) else {
+    let place = |p: &Point| (p.position - c).dot(d);
+    let order = |a: &&Point, b: &&Point| place(a).total_cmp(&place(b));
+    let (Some(first), Some(last)) = (points.iter().min_by(order), points.iter().max_by(order)) else {
         return Err(Error::Empty { what: "the list of points" });
     };
-    let mut j = SMatrix::<f64, 6, 4>::zeros();
-    let mut covariance = nalgebra::Matrix6::zeros();
-    for (row, end) in [(0, first), (3, last)] {
-        let t = place(&end);
-        for (k, column) in [r, s, r * t, s * t].into_iter().enumerate() {
-            j.fixed_view_mut::<3, 1>(row, k).copy_from(&column);
+    // Of (offsets, tilts, first along, last along).
+    let mut joint = Matrix6::zeros();
+    joint.fixed_view_mut::<4, 4>(0, 0).copy_from(inverse);
+    let mut j = Matrix6::zeros();
+    for (k, end) in [first, last].into_iter().enumerate() {
+        let t = place(end);
+        for (column, v) in [(0, r), (1, s), (2, r * t), (3, s * t), (4 + k, *d)] {
+            j.fixed_view_mut::<3, 1>(3 * k, column).copy_from(&v);
         }
-        let along = d * d.transpose() * d.dot(&(end.covariance * d));
-        covariance.fixed_view_mut::<3, 3>(row, row).copy_from(&along);
+        if !exact {
+            let (row, weight) = observation(end, &SMatrix::from_columns(&[r, s]), t, false)?;
+            let b = SMatrix::<f64, 3, 2>::from_columns(&[r, s]);
+            let mixed = inverse * row.transpose() * weight * b.transpose() * end.covariance * d;
+            joint.fixed_view_mut::<4, 1>(0, 4 + k).copy_from(&mixed);
+            joint.fixed_view_mut::<1, 4>(4 + k, 0).copy_from(&mixed.transpose());
+            joint[(4 + k, 4 + k)] = d.dot(&(end.covariance * d));
+        }
     }
-    covariance += super::covariance::propagate(&j, inverse);
-    Line { start: c + d * place(&first), end: c + d * place(&last), covariance }.checked()
+    let covariance = super::covariance::propagate(&j, &joint);
+    Line { start: c + d * place(first), end: c + d * place(last), covariance }.checked()
+}
+
+/// Derivative of a point's two residuals across the line by (offsets, tilts), and their weight.
+fn observation(p: &Point, b: &SMatrix<f64, 3, 2>, t: f64, exact: bool) -> Result<(SMatrix<f64, 2, 4>, Matrix2<f64>)> {
+    let mut row = SMatrix::<f64, 2, 4>::zeros();
+    row.fixed_view_mut::<2, 2>(0, 0).fill_diagonal(1.0);
+    row.fixed_view_mut::<2, 2>(0, 2).fill_diagonal(t);
+    let floor = Matrix2::identity() * LEAST_SD_M.powi(2);
+    let weight = match exact {
+        true => Matrix2::identity(),
+        false => inverted(&(b.transpose() * p.covariance * b + floor), "the best-fit line")?,
+    };
+    Ok((row, weight))
 }
 
 fn inverted<const N: usize>(m: &SMatrix<f64, N, N>, what: &'static str) -> Result<SMatrix<f64, N, N>> {
