@@ -38,11 +38,6 @@ impl LogCommonality {
         let n = qo + qe - qu;
         Some(Mass { occupied: ((qo - qu) / n).max(0.0), empty: ((qe - qu) / n).max(0.0), unknown: qu / n })
     }
-
-    /// Total conflict K of the sources: the mass of the empty set before normalisation.
-    pub fn conflict(&self) -> f64 {
-        (1.0 - (self.occupied.exp() + self.empty.exp() - self.unknown.exp())).clamp(0.0, 1.0)
-    }
 }
 
 #[cfg(test)]
@@ -60,10 +55,6 @@ mod tests {
         }
         let m = sum.mass().unwrap();
         assert!((m.occupied - pairwise.occupied).abs() < 1e-14 && (m.empty - pairwise.empty).abs() < 1e-14);
-        let two = [sources[0], sources[1]];
-        let mut q = LogCommonality::default();
-        two.iter().for_each(|m| q.add(&m.log_commonality()));
-        assert!((q.conflict() - two[0].conflict(&two[1])).abs() < 1e-15);
     }
 
     #[test]

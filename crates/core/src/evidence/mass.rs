@@ -4,7 +4,10 @@ use super::LogCommonality;
 use crate::error::{Error, Result};
 use crate::num::text::{number, numbers};
 
-/// A basic belief assignment: mass on occupied, on empty, and on their union ("unknown"). Sums to 1.
+/// A basic belief assignment: mass on occupied, on empty, and on their union ("unknown").
+///
+/// Sums to 1, but for unnormalised ones (the conjunctive rule of the transferable belief model, Smets 1990): what is
+/// missing is [`Mass::contradiction`], the mass of the empty set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct Mass {
@@ -24,6 +27,9 @@ pub enum Hypothesis {
     /// Nothing is there.
     Empty,
 }
+
+/// Masses sum to 1 within this.
+const ROUNDING: f64 = 1e-9;
 
 impl Hypothesis {
     /// Reads `occupied` or `empty`.
@@ -95,20 +101,36 @@ impl Mass {
         LogCommonality::of(self)
     }
 
-    /// Text form `(occupied,empty,unknown)`.
-    pub fn to_text(&self) -> String {
-        format!("({},{},{})", number(self.occupied), number(self.empty), number(self.unknown))
+    /// m(∅): what contradicting sources put on nothing at all. Less than 1e-9 is rounding and counts as none.
+    pub fn contradiction(&self) -> f64 {
+        let rest = 1.0 - (self.occupied + self.empty + self.unknown);
+        if rest > ROUNDING { rest } else { 0.0 }
     }
 
-    /// Reads [`Mass::to_text`]'s form; the three must be masses that sum to 1 within 1e-9.
+    /// Text form `(occupied,empty,unknown)`, and `(occupied,empty,unknown,contradiction)` where there is one.
+    pub fn to_text(&self) -> String {
+        let mut text = format!("({},{},{}", number(self.occupied), number(self.empty), number(self.unknown));
+        if self.contradiction() > 0.0 {
+            text += &format!(",{}", number(self.contradiction()));
+        }
+        text + ")"
+    }
+
+    /// Reads [`Mass::to_text`]'s form; all that is written must sum to 1 within 1e-9.
     pub fn from_text(text: &str) -> Result<Self> {
         let bad = || Error::syntax("ab_mass", text);
         let body = text.trim().strip_prefix('(').and_then(|t| t.strip_suffix(')')).ok_or_else(bad)?;
-        let [o, e, u] = numbers::<3>(body).ok_or_else(bad)?;
-        Self::from_parts(o, e, u)
+        let [o, e, u, contradiction] =
+            numbers::<4>(body).or_else(|| numbers::<3>(body).map(|[o, e, u]| [o, e, u, 0.0])).ok_or_else(bad)?;
+        let m = Self::from_parts(o, e, u)?;
+        let sum = o + e + u + contradiction;
+        if (sum - 1.0).abs() > ROUNDING {
+            return Err(Error::argument("the sum of the masses", "1", sum));
+        }
+        Ok(m)
     }
 
-    /// A mass from all three parts, kept bit by bit.
+    /// A mass from its three parts, kept bit by bit; what they miss of 1 is contradiction.
     pub fn from_parts(occupied: f64, empty: f64, unknown: f64) -> Result<Self> {
         for (what, x) in
             [("the mass of occupied", occupied), ("the mass of empty", empty), ("the unknown mass", unknown)]
@@ -118,8 +140,8 @@ impl Mass {
             }
         }
         let sum = occupied + empty + unknown;
-        if (sum - 1.0).abs() > 1e-9 {
-            return Err(Error::argument("the sum of the masses", "1", sum));
+        if sum > 1.0 + ROUNDING {
+            return Err(Error::argument("the sum of the masses", "at most 1", sum));
         }
         Ok(Self { occupied, empty, unknown })
     }

@@ -5,9 +5,8 @@ use super::model::{EvidenceModel, ModelKind};
 use super::ray_sums;
 use super::sums::Sums;
 use super::surface_sums::SurfaceReading;
-use crate::evidence::{LogCommonality, Mass};
+use crate::evidence::{LogCommonality, Mass, SurfaceObservation};
 use crate::geometry::Vec3;
-use crate::num::normal::cdf;
 use crate::{Interrupt, Result, poll};
 
 /// The ray model calls a sample seen when this much of its mass is committed: its kernel is narrow, and belief
@@ -135,17 +134,11 @@ impl Accumulator {
         let covered = 1.0 - (-(r.hit + r.through)).exp();
         let hit_share = r.hit / (r.hit + r.through);
         let sigma = deviation_sigma(&r, range, cos, model);
-        let tolerance = model.tolerance();
-        let below = |x: f64| cdf((x - r.deviation) / sigma);
-        let trust = model.reliability * covered;
-        let (up, down) = (below(tolerance), below(-tolerance));
-        let occupied = trust * hit_share * (up - down).max(0.0);
-        // 1 − h·Φ((T+d)/σ), with Φ((T+d)/σ) = 1 − Φ((−T−d)/σ).
-        let empty = trust * (1.0 - hit_share * (1.0 - down));
-        let mass = Mass { occupied, empty, unknown: (1.0 - occupied - empty).max(1.0 - model.reliability) };
+        let seen = SurfaceObservation { deviation: r.deviation, sd: sigma, coverage: covered, hit_share };
+        let (mass, in_front) = seen.mass(model.tolerance(), model.reliability);
         self.add_mass(&mass);
-        self.not_in_front *= 1.0 - IN_FRONT_RELIABILITY * trust * hit_share * (1.0 - up);
-        self.not_covered *= 1.0 - trust;
+        self.not_in_front *= 1.0 - IN_FRONT_RELIABILITY * in_front;
+        self.not_covered *= 1.0 - model.reliability * covered;
         self.hit += r.hit;
         self.through += r.through;
         if r.hit > 0.0 {
