@@ -24,4 +24,13 @@ pgrx::extension_sql_file!("../sql/install/03-scan.sql", name = "scan", requires 
 pgrx::extension_sql_file!("../sql/install/04-belief.sql", name = "belief", requires = ["scan"]);
 pgrx::extension_sql_file!("../sql/install/05-evidence.sql", name = "evidence", requires = ["belief"]);
 pgrx::extension_sql_file!("../sql/install/06-operators.sql", name = "operators", requires = ["evidence"]);
-pgrx::extension_sql_file!("../sql/install/07-gist.sql", name = "gist", requires = ["operators"], finalize);
+pgrx::extension_sql_file!("../sql/install/07-gist.sql", name = "gist", requires = ["operators"]);
+pgrx::extension_sql_file!("../sql/install/08-uncertain.sql", name = "uncertain", requires = ["gist"]);
+pgrx::extension_sql_file!("../sql/install/09-relations.sql", name = "relations", requires = ["uncertain"]);
+pgrx::extension_sql_file!("../sql/install/10-belief-calculus.sql", name = "calculus", requires = ["relations"]);
+pgrx::extension_sql_file!(
+    "../sql/install/11-uncertain-index.sql",
+    name = "uncertain_index",
+    requires = ["calculus"],
+    finalize
+);

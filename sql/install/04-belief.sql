@@ -12,11 +12,11 @@ CREATE FUNCTION ab_mass(occupied float8, empty float8) RETURNS ab_mass
     AS 'MODULE_PATHNAME', 'ab_mass_make' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_mass(float8, float8) IS 'A belief mass; what is left of 1 is unknown';
 
-CREATE FUNCTION ab_belief(mass ab_mass, hypothesis text) RETURNS float8
+CREATE FUNCTION ab_belief(mass ab_mass, hypothesis text DEFAULT 'occupied') RETURNS float8
     AS 'MODULE_PATHNAME', 'ab_mass_belief' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_belief(ab_mass, text) IS 'Belief in ''occupied'' or ''empty''';
 
-CREATE FUNCTION ab_plausibility(mass ab_mass, hypothesis text) RETURNS float8
+CREATE FUNCTION ab_plausibility(mass ab_mass, hypothesis text DEFAULT 'occupied') RETURNS float8
     AS 'MODULE_PATHNAME', 'ab_mass_plausibility' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_plausibility(ab_mass, text) IS 'Plausibility of ''occupied'' or ''empty'': belief plus the unknown mass';
 

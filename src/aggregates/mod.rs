@@ -1,3 +1,5 @@
 //! Aggregates: transition, combine, serialise, final.
 
 mod evidence;
+mod points;
+mod pool;

@@ -3,14 +3,17 @@
 use asbuilt_core::geometry::split::{penalty, split};
 use asbuilt_core::geometry::{Aabb, Solid};
 use asbuilt_core::scan::Header;
+use asbuilt_core::uncertain::{Line, Point, Stored};
 
 use crate::pg::{Args, KeyVector, PickSplit, Ret, sql_functions};
+use crate::types::uncertain::{INDEX_SIGMAS, overlap_box};
 use crate::types::{BOX_LEN, box_bytes, box_from};
 
 /// Strategy numbers: `&&` with each right-hand type, the same in every opclass.
 const OVERLAPS_BOX: i16 = 1;
 const OVERLAPS_SOLID: i16 = 2;
 const OVERLAPS_SCAN: i16 = 3;
+const OVERLAPS_POINT: i16 = 4;
 
 fn key(args: &Args, i: usize) -> Aabb {
     box_from(&args.entry_key::<BOX_LEN>(i))
@@ -21,7 +24,8 @@ fn query(args: &Args, strategy: i16) -> asbuilt_core::Result<Aabb> {
         OVERLAPS_BOX => Ok(box_from(&args.fixed(1))),
         OVERLAPS_SOLID => Ok(Solid::header(args.prefix(1, Solid::HEADER_LEN))?.bounds),
         OVERLAPS_SCAN => Ok(Header::read(args.prefix(1, Header::LEN))?.hull),
-        other => Err(asbuilt_core::Error::argument("the GiST strategy", "1, 2 or 3", other)),
+        OVERLAPS_POINT => Ok(overlap_box(args, 1, "point")),
+        other => Err(asbuilt_core::Error::argument("the GiST strategy", "1 to 4", other)),
     }
 }
 
@@ -46,6 +50,14 @@ sql_functions! {
 
     fn ab_gist_solid_compress(args) {
         args.compressed(Solid::HEADER_LEN, |bytes| Ok(box_bytes(&Solid::header(bytes)?.bounds)))
+    }
+
+    fn ab_gist_point_compress(args) {
+        args.compressed_fixed(|n: &[f64; 9]| box_bytes(&Point::from_stored(n).bounds(INDEX_SIGMAS)))
+    }
+
+    fn ab_gist_line_compress(args) {
+        args.compressed_fixed(|n: &[f64; 27]| box_bytes(&Line::from_stored(n).bounds(INDEX_SIGMAS)))
     }
 
     /// penalty(key entry, new entry, result)

@@ -116,6 +116,11 @@ impl Args {
         unsafe { *self.datum(i).cast_mut_ptr::<[u8; N]>() }
     }
 
+    /// A fixed-length value of `N` float8.
+    pub fn numbers<const N: usize>(&self, i: usize) -> [f64; N] {
+        unsafe { self.datum(i).cast_mut_ptr::<[f64; N]>().read_unaligned() }
+    }
+
     /// What is left of the message that a receive function gets; marks it as read.
     pub fn message(&self, i: usize) -> &[u8] {
         unsafe {
@@ -131,8 +136,31 @@ impl Args {
         let (dims, values) = self.f64_array(i, what)?;
         match (dims.len(), <[f64; N]>::try_from(&values[..])) {
             (1, Ok(v)) => Ok(v),
-            _ => Err(Error::argument(what, "an array of three numbers", array::shape(&dims))),
+            _ => {
+                let expected = if N == 3 { "an array of three numbers" } else { "an array of four numbers" };
+                Err(Error::argument(what, expected, array::shape(&dims)))
+            }
         }
+    }
+
+    /// A `float8[]` of one dimension.
+    pub fn f64_list(&self, i: usize, what: &'static str) -> Result<Vec<f64>> {
+        let (dims, values) = self.f64_array(i, what)?;
+        if dims.len() <= 1 {
+            Ok(values)
+        } else {
+            Err(Error::argument(what, "an array of one dimension", array::shape(&dims)))
+        }
+    }
+
+    /// A square matrix: `float8[]` of `N` x `N`, or of its numbers row by row.
+    pub fn square<const N: usize>(&self, i: usize, what: &'static str) -> Result<nalgebra::SMatrix<f64, N, N>> {
+        let (dims, values) = self.f64_array(i, what)?;
+        if values.len() != N * N || dims.iter().any(|&d| d as usize != N && dims.len() != 1) {
+            let expected = ["", "", "", "3 x 3", "4 x 4", "", "6 x 6", "7 x 7"].get(N).copied().unwrap_or("square");
+            return Err(Error::argument(what, expected, array::shape(&dims)));
+        }
+        Ok(nalgebra::SMatrix::from_row_slice(&values))
     }
 
     /// A `float8[][]` of n x 3.

@@ -1,5 +1,6 @@
 //! The structures that GiST hands to its support functions.
 
+use asbuilt_core::Result;
 use pgrx::pg_sys;
 
 use super::{Args, Ret};
@@ -57,17 +58,22 @@ impl Args {
 
     /// `compress`: the entry in argument 0 with its value replaced by `key(prefix of the value)`, where the value
     /// is a leaf's; inner entries stay as they are.
-    pub fn compressed(
-        &self,
-        prefix: usize,
-        key: impl FnOnce(&[u8]) -> asbuilt_core::Result<Vec<u8>>,
-    ) -> asbuilt_core::Result<Ret> {
+    pub fn compressed(&self, prefix: usize, key: impl FnOnce(&[u8]) -> Result<Vec<u8>>) -> Result<Ret> {
+        unsafe { self.compressed_by(|value| key(super::toast::prefix(value.cast_mut_ptr(), prefix))) }
+    }
+
+    /// The same for a value of `N` float8.
+    pub fn compressed_fixed<const N: usize>(&self, key: impl FnOnce(&[f64; N]) -> Vec<u8>) -> Result<Ret> {
+        unsafe { self.compressed_by(|value| Ok(key(&value.cast_mut_ptr::<[f64; N]>().read_unaligned()))) }
+    }
+
+    unsafe fn compressed_by(&self, key: impl FnOnce(pg_sys::Datum) -> Result<Vec<u8>>) -> Result<Ret> {
         unsafe {
             let entry: *mut pg_sys::GISTENTRY = self.datum(0).cast_mut_ptr();
             if !(*entry).leafkey {
                 return Ok(Ret::Raw(entry.into()));
             }
-            let key = key(super::toast::prefix((*entry).key.cast_mut_ptr(), prefix))?;
+            let key = key((*entry).key)?;
             let copy: *mut pg_sys::GISTENTRY = pg_sys::palloc(size_of::<pg_sys::GISTENTRY>()).cast();
             *copy = *entry;
             (*copy).key = super::ret::fixed(&key);

@@ -46,6 +46,11 @@ impl Ret {
         Self::F64Array(v.into().to_vec(), vec![3])
     }
 
+    /// A `float8[][]`.
+    pub fn matrix<const N: usize>(m: &nalgebra::SMatrix<f64, N, N>) -> Self {
+        Self::F64Array(m.transpose().iter().copied().collect(), vec![N as i32; 2])
+    }
+
     pub(super) unsafe fn into_datum(self, fcinfo: pg_sys::FunctionCallInfo) -> pg_sys::Datum {
         match self {
             Self::Null => {

@@ -24,6 +24,10 @@ pub enum Field {
     Loa(Loa),
     /// `float8[]` of three numbers.
     Vector([f64; 3]),
+    /// `float8[]` with dimensions.
+    Array(Vec<f64>, Vec<i32>),
+    /// `boolean`.
+    Bool(bool),
     /// A fixed-length type passed by reference.
     Fixed(Vec<u8>),
 }
@@ -43,6 +47,8 @@ impl Field {
             Self::Text(s) => varlena(s.as_bytes()),
             Self::Loa(l) => pg_sys::Datum::from(enum_value(column_type, l.name())),
             Self::Vector(v) => array::of_f64(v, &[3]),
+            Self::Array(v, dims) => array::of_f64(v, dims),
+            Self::Bool(b) => pg_sys::Datum::from(*b),
             Self::Fixed(b) => fixed(b),
         })
     }

@@ -1,6 +1,8 @@
 //! One SQL type a file: input, output, receive, send, constructors, accessors.
 
 mod aabb;
+mod accuracy;
+mod belief;
 mod evidence;
 mod evidence_model;
 mod hex;
@@ -9,9 +11,11 @@ mod mass;
 mod overlap;
 mod samples;
 mod scan;
+mod sensor;
 mod solid;
 mod summary;
+pub mod uncertain;
 
 pub use aabb::{BOX_LEN, box_bytes, box_from};
 pub use evidence_model::model_arg;
-pub use mass::mass_bytes;
+pub use mass::{mass_arg, mass_bytes, mass_ret};

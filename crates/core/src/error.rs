@@ -120,6 +120,10 @@ impl Error {
                 "Ask ab_closedness(solid) first; area, box and verdicts work on open surfaces too.".into()
             }
             Self::Version { .. } => "Install the newer release: ALTER EXTENSION asbuilt UPDATE.".into(),
+            Self::Covariance { .. } => {
+                "A covariance is symmetric and has no negative eigenvalue; repair it, or give sd for a diagonal one."
+                    .into()
+            }
             Self::TotalConflict => {
                 "Discount the sources by their reliability (a mass below 1) before they are combined.".into()
             }

@@ -80,6 +80,12 @@ impl Pool {
         self.rule
     }
 
+    /// The error of a group with two rules.
+    pub fn other_rule(a: Rule, b: Rule) -> Error {
+        let expected = "the same for all rows of a group";
+        Error::argument("the rule of combination", expected, format!("{} and {}", a.name(), b.name()))
+    }
+
     /// Adds a source.
     pub fn add(&mut self, m: &Mass) -> Result<()> {
         self.count += 1;
@@ -106,7 +112,7 @@ impl Pool {
     /// Adds the sources of another pool.
     pub fn merge(&mut self, o: &Self) -> Result<()> {
         if self.rule != o.rule {
-            return Err(Error::Mismatch { reason: "the group holds more than one rule".into() });
+            return Err(Self::other_rule(self.rule, o.rule));
         }
         self.count += o.count;
         self.occupied.merge(&o.occupied);

@@ -15,7 +15,7 @@ const ROUNDS: usize = 10;
 /// Standard deviation of a point that is called exact among uncertain ones, metres.
 const LEAST_SD_M: f64 = 1e-6;
 /// The points must spread by this part of their length in a direction to determine one across.
-const LEAST_SPREAD: f64 = 1e-8;
+const LEAST_SPREAD: f64 = 1e-6;
 
 /// Two unit vectors that make a right-handed frame with `axis`.
 pub(super) fn across(axis: &Vec3) -> [Vec3; 2] {

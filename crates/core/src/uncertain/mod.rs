@@ -24,6 +24,6 @@ pub mod transform;
 
 pub use line::Line;
 pub use plane::Plane;
-pub use point::Point;
+pub use point::{Point, checked_sd};
 pub use pose::{Matrix7, Pose};
 pub use stored::Stored;

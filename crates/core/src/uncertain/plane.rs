@@ -28,9 +28,9 @@ impl Plane {
     pub fn tilted(point: Vec3, normal: Vec3, sd_offset: f64, sd_tilt: f64) -> Result<Self> {
         let normal = unit(&normal)?;
         let mut covariance = Matrix4::<f64>::zeros();
-        let tilt = (Matrix3::identity() - normal * normal.transpose()) * checked_sd("the tilt's", sd_tilt)?.powi(2);
+        let tilt = (Matrix3::identity() - normal * normal.transpose()) * checked_sd("sd_tilt", sd_tilt)?.powi(2);
         covariance.fixed_view_mut::<3, 3>(0, 0).copy_from(&tilt);
-        covariance[(3, 3)] = checked_sd("the offset's", sd_offset)?.powi(2);
+        covariance[(3, 3)] = checked_sd("sd_offset", sd_offset)?.powi(2);
         Self { point, normal, covariance }.checked()
     }
 
@@ -114,7 +114,8 @@ impl Stored<16> for Plane {
         covariance::checked("the covariance of the plane", &self.covariance)?;
         let n = Vector4::new(self.normal.x, self.normal.y, self.normal.z, 0.0);
         let along = n.dot(&(self.covariance * n));
-        if along > 1e-6 * self.covariance.fixed_view::<3, 3>(0, 0).trace() {
+        // Beside the relative tolerance, what rounding leaves on a plane without uncertainty.
+        if along > 1e-6 * self.covariance.fixed_view::<3, 3>(0, 0).trace() + 1e-24 {
             let reason = format!("not that of a plane: the normal's length has variance {along:e}");
             return Err(Error::Covariance { what: "the covariance of the plane", reason });
         }

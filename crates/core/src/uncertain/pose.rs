@@ -33,7 +33,11 @@ impl Pose {
         let [w, x, y, z] = quaternion;
         let q = Quaternion::new(w, x, y, z);
         if !(q.norm() > 1e-9 && q.norm().is_finite()) {
-            return Err(Error::argument("the rotation", "a quaternion w, x, y, z with a direction", q));
+            return Err(Error::argument(
+                "the rotation",
+                "a quaternion w, x, y, z that is not all zero",
+                format!("{w}, {x}, {y}, {z}"),
+            ));
         }
         let covariance = covariance::checked("the covariance of the pose", covariance)?;
         Self { rotation: UnitQuaternion::from_quaternion(q), translation, scale, covariance }.checked()
@@ -41,9 +45,9 @@ impl Pose {
 
     /// Standard deviations of rotation (radians, each axis), translation (metres, each axis) and scale (relative).
     pub fn diagonal(sd_rotation: f64, sd_translation: f64, sd_scale: f64) -> Result<Matrix7> {
-        let r = checked_sd("the rotation's standard deviation", sd_rotation)?.powi(2);
-        let t = checked_sd("the translation's standard deviation", sd_translation)?.powi(2);
-        let s = checked_sd("the scale's standard deviation", sd_scale)?.powi(2);
+        let r = checked_sd("sd_rotation", sd_rotation)?.powi(2);
+        let t = checked_sd("sd_translation", sd_translation)?.powi(2);
+        let s = checked_sd("sd_scale", sd_scale)?.powi(2);
         Ok(Matrix7::from_diagonal(&nalgebra::SVector::from([r, r, r, t, t, t, s])))
     }
 

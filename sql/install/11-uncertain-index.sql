@@ -1,0 +1,201 @@
+-- Comparison, hashing and indexes of uncertain objects and masses.
+
+CREATE FUNCTION ab_equal(a ab_point, b ab_point) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_point_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_equal(ab_point, ab_point) IS 'Same numbers';
+
+CREATE FUNCTION ab_differ(a ab_point, b ab_point) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_point_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_differ(ab_point, ab_point) IS 'Not the same numbers';
+
+CREATE FUNCTION ab_hash(point ab_point) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_point_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_point) IS 'Hash of the numbers';
+
+CREATE OPERATOR = (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES, MERGES);
+COMMENT ON OPERATOR = (ab_point, ab_point) IS 'Same numbers, covariance included';
+CREATE OPERATOR <> (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
+COMMENT ON OPERATOR <> (ab_point, ab_point) IS 'Not the same numbers';
+CREATE OPERATOR CLASS ab_point_hash_ops DEFAULT FOR TYPE ab_point USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_point);
+COMMENT ON OPERATOR CLASS ab_point_hash_ops USING hash IS 'Joins and groups by equal numbers';
+
+CREATE FUNCTION ab_equal(a ab_line, b ab_line) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_line_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_equal(ab_line, ab_line) IS 'Same numbers';
+
+CREATE FUNCTION ab_differ(a ab_line, b ab_line) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_line_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_differ(ab_line, ab_line) IS 'Not the same numbers';
+
+CREATE FUNCTION ab_hash(line ab_line) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_line_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_line) IS 'Hash of the numbers';
+
+CREATE OPERATOR = (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
+COMMENT ON OPERATOR = (ab_line, ab_line) IS 'Same numbers, covariance included';
+CREATE OPERATOR <> (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
+COMMENT ON OPERATOR <> (ab_line, ab_line) IS 'Not the same numbers';
+CREATE OPERATOR CLASS ab_line_hash_ops DEFAULT FOR TYPE ab_line USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_line);
+COMMENT ON OPERATOR CLASS ab_line_hash_ops USING hash IS 'Joins and groups by equal numbers';
+
+CREATE FUNCTION ab_equal(a ab_plane, b ab_plane) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_plane_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_equal(ab_plane, ab_plane) IS 'Same numbers';
+
+CREATE FUNCTION ab_differ(a ab_plane, b ab_plane) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_plane_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_differ(ab_plane, ab_plane) IS 'Not the same numbers';
+
+CREATE FUNCTION ab_hash(plane ab_plane) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_plane_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_plane) IS 'Hash of the numbers';
+
+CREATE OPERATOR = (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
+COMMENT ON OPERATOR = (ab_plane, ab_plane) IS 'Same numbers, covariance included';
+CREATE OPERATOR <> (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
+COMMENT ON OPERATOR <> (ab_plane, ab_plane) IS 'Not the same numbers';
+CREATE OPERATOR CLASS ab_plane_hash_ops DEFAULT FOR TYPE ab_plane USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_plane);
+COMMENT ON OPERATOR CLASS ab_plane_hash_ops USING hash IS 'Joins and groups by equal numbers';
+
+CREATE FUNCTION ab_equal(a ab_pose, b ab_pose) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_pose_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_equal(ab_pose, ab_pose) IS 'Same numbers';
+
+CREATE FUNCTION ab_differ(a ab_pose, b ab_pose) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_pose_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_differ(ab_pose, ab_pose) IS 'Not the same numbers';
+
+CREATE FUNCTION ab_hash(pose ab_pose) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_pose_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_pose) IS 'Hash of the numbers';
+
+CREATE OPERATOR = (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
+COMMENT ON OPERATOR = (ab_pose, ab_pose) IS 'Same numbers, covariance included';
+CREATE OPERATOR <> (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
+COMMENT ON OPERATOR <> (ab_pose, ab_pose) IS 'Not the same numbers';
+CREATE OPERATOR CLASS ab_pose_hash_ops DEFAULT FOR TYPE ab_pose USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_pose);
+COMMENT ON OPERATOR CLASS ab_pose_hash_ops USING hash IS 'Joins and groups by equal numbers';
+
+CREATE FUNCTION ab_differ(a ab_mass, b ab_mass) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_mass_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_differ(ab_mass, ab_mass) IS 'Not the same numbers';
+
+CREATE FUNCTION ab_hash(mass ab_mass) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_mass_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_mass) IS 'Hash of the numbers';
+
+CREATE OPERATOR = (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
+COMMENT ON OPERATOR = (ab_mass, ab_mass) IS 'Same numbers, covariance included';
+CREATE OPERATOR <> (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
+COMMENT ON OPERATOR <> (ab_mass, ab_mass) IS 'Not the same numbers';
+CREATE OPERATOR CLASS ab_mass_hash_ops DEFAULT FOR TYPE ab_mass USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_mass);
+COMMENT ON OPERATOR CLASS ab_mass_hash_ops USING hash IS 'Joins and groups by equal numbers';
+
+CREATE FUNCTION ab_lt(a ab_point, b ab_point) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_point_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_lt(ab_point, ab_point) IS 'Before in the order of x, y, z, covariance';
+CREATE OPERATOR < (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
+COMMENT ON OPERATOR < (ab_point, ab_point) IS 'Before in the order of x, y, z, covariance';
+
+CREATE FUNCTION ab_le(a ab_point, b ab_point) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_point_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_le(ab_point, ab_point) IS 'Not after in the order of x, y, z, covariance';
+CREATE OPERATOR <= (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_le, COMMUTATOR = >=, NEGATOR = >, RESTRICT = scalarlesel, JOIN = scalarlejoinsel);
+COMMENT ON OPERATOR <= (ab_point, ab_point) IS 'Not after in the order of x, y, z, covariance';
+
+CREATE FUNCTION ab_ge(a ab_point, b ab_point) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_point_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_ge(ab_point, ab_point) IS 'Not before in the order of x, y, z, covariance';
+CREATE OPERATOR >= (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_ge, COMMUTATOR = <=, NEGATOR = <, RESTRICT = scalargesel, JOIN = scalargejoinsel);
+COMMENT ON OPERATOR >= (ab_point, ab_point) IS 'Not before in the order of x, y, z, covariance';
+
+CREATE FUNCTION ab_gt(a ab_point, b ab_point) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_point_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gt(ab_point, ab_point) IS 'After in the order of x, y, z, covariance';
+CREATE OPERATOR > (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
+COMMENT ON OPERATOR > (ab_point, ab_point) IS 'After in the order of x, y, z, covariance';
+
+CREATE FUNCTION ab_compare(a ab_point, b ab_point) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_point_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_compare(ab_point, ab_point) IS '-1, 0 or 1 in the order of x, y, z, covariance';
+
+CREATE OPERATOR CLASS ab_point_ops DEFAULT FOR TYPE ab_point USING btree AS
+    OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 ab_compare(ab_point, ab_point);
+COMMENT ON OPERATOR CLASS ab_point_ops USING btree IS 'Order by x, y, z, covariance';
+
+CREATE FUNCTION ab_reach(point ab_point, sigmas float8) RETURNS ab_box
+    AS 'MODULE_PATHNAME', 'ab_point_reach' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_reach(ab_point, float8) IS 'The box of a point grown by this many standard deviations along every axis; at most 5';
+
+CREATE FUNCTION ab_overlaps(a ab_point, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_point_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+COMMENT ON FUNCTION ab_overlaps(ab_point, ab_box) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
+
+CREATE FUNCTION ab_overlaps(a ab_point, b ab_point) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_point_point' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+COMMENT ON FUNCTION ab_overlaps(ab_point, ab_point) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
+
+CREATE FUNCTION ab_overlaps(a ab_line, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_line_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+COMMENT ON FUNCTION ab_overlaps(ab_line, ab_box) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
+
+CREATE FUNCTION ab_overlaps(a ab_box, b ab_point) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_box_point' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+COMMENT ON FUNCTION ab_overlaps(ab_box, ab_point) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
+
+CREATE FUNCTION ab_overlaps(a ab_box, b ab_line) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_box_line' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+COMMENT ON FUNCTION ab_overlaps(ab_box, ab_line) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
+CREATE OPERATOR && (LEFTARG = ab_point, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+COMMENT ON OPERATOR && (ab_point, ab_box) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
+CREATE OPERATOR && (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+COMMENT ON OPERATOR && (ab_point, ab_point) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
+CREATE OPERATOR && (LEFTARG = ab_line, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+COMMENT ON OPERATOR && (ab_line, ab_box) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
+CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_point, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+COMMENT ON OPERATOR && (ab_box, ab_point) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
+CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_line, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+COMMENT ON OPERATOR && (ab_box, ab_line) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
+
+CREATE FUNCTION ab_within(a ab_point, b ab_point, sigmas float8) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE COST 200
+    RETURN a && ab_reach(b, sigmas) AND ab_mahalanobis(a, b) <= sigmas;
+COMMENT ON FUNCTION ab_within(ab_point, ab_point, float8) IS 'Are two points within this many standard deviations (at most 5) of each other: Mahalanobis distance. An index on the first one serves it';
+
+CREATE FUNCTION ab_gist_consistent(entry internal, query ab_point, strategy smallint, subtype oid, recheck internal) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_gist_consistent' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gist_consistent(internal, ab_point, smallint, oid, internal) IS 'GiST support';
+
+CREATE FUNCTION ab_gist_point_compress(entry internal) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_gist_point_compress' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gist_point_compress(internal) IS 'GiST support';
+
+CREATE FUNCTION ab_gist_consistent(entry internal, query ab_line, strategy smallint, subtype oid, recheck internal) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_gist_consistent' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gist_consistent(internal, ab_line, smallint, oid, internal) IS 'GiST support';
+
+CREATE FUNCTION ab_gist_line_compress(entry internal) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_gist_line_compress' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gist_line_compress(internal) IS 'GiST support';
+
+CREATE OPERATOR CLASS ab_point_gist_ops DEFAULT FOR TYPE ab_point USING gist AS
+    OPERATOR 1 && (ab_point, ab_box), OPERATOR 4 && (ab_point, ab_point),
+    FUNCTION 1 ab_gist_consistent(internal, ab_point, smallint, oid, internal),
+    FUNCTION 2 ab_gist_union(internal, internal),
+    FUNCTION 3 ab_gist_point_compress(internal),
+    FUNCTION 5 ab_gist_penalty(internal, internal, internal),
+    FUNCTION 6 ab_gist_picksplit(internal, internal),
+    FUNCTION 7 ab_gist_same(ab_box, ab_box, internal),
+    STORAGE ab_box;
+COMMENT ON OPERATOR CLASS ab_point_gist_ops USING gist IS 'Joins on && by boxes grown by five standard deviations';
+
+CREATE OPERATOR CLASS ab_line_gist_ops DEFAULT FOR TYPE ab_line USING gist AS
+    OPERATOR 1 && (ab_line, ab_box),
+    FUNCTION 1 ab_gist_consistent(internal, ab_line, smallint, oid, internal),
+    FUNCTION 2 ab_gist_union(internal, internal),
+    FUNCTION 3 ab_gist_line_compress(internal),
+    FUNCTION 5 ab_gist_penalty(internal, internal, internal),
+    FUNCTION 6 ab_gist_picksplit(internal, internal),
+    FUNCTION 7 ab_gist_same(ab_box, ab_box, internal),
+    STORAGE ab_box;
+COMMENT ON OPERATOR CLASS ab_line_gist_ops USING gist IS 'Joins on && by boxes grown by five standard deviations';

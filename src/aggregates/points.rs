@@ -1,0 +1,80 @@
+//! `ab_line_agg` and `ab_plane_agg`: best fits through points.
+
+use asbuilt_core::uncertain::{Point, Stored, fit};
+use asbuilt_core::{Error, Result};
+
+use crate::pg::{AggState, Args, Ret, aggregate_state, deserialised_state, interrupt, sql_functions};
+use crate::types::uncertain::{ret, value};
+
+/// Points one fit takes: they are in memory, 96 bytes each.
+const MAX_POINTS: usize = 5_000_000;
+/// Bytes of one point between workers.
+const POINT_LEN: usize = 72;
+
+fn state(args: &Args, i: usize) -> Result<AggState<Vec<Point>>> {
+    aggregate_state(args, i, || Ok(Vec::new()))
+}
+
+fn check(points: &[Point]) -> Result<()> {
+    if points.len() <= MAX_POINTS {
+        return Ok(());
+    }
+    let (value, limit) = (points.len().to_string(), MAX_POINTS.to_string());
+    Err(Error::Limit { what: "the number of points of one fit", value, limit })
+}
+
+/// The fitted points; `None` where there is none.
+fn points(args: &Args) -> Result<Option<Vec<Point>>> {
+    if args.is_null(0) {
+        return Ok(None);
+    }
+    let points = state(args, 0)?.get().clone();
+    Ok(if points.is_empty() { None } else { Some(points) })
+}
+
+sql_functions! {
+    fn ab_points_accum(args) {
+        let mut state = state(args, 0)?;
+        if !args.is_null(1) {
+            state.get().push(value(args, 1));
+            check(state.get())?;
+        }
+        Ok(state.ret())
+    }
+
+    fn ab_points_combine(args) {
+        let mut left = state(args, 0)?;
+        if !args.is_null(1) {
+            left.get().extend_from_slice(state(args, 1)?.get());
+            check(left.get())?;
+        }
+        Ok(left.ret())
+    }
+
+    fn ab_points_serial(args) {
+        let mut state = state(args, 0)?;
+        let numbers = state.get().iter().flat_map(Point::to_numbers);
+        Ok(Ret::Bytes(numbers.flat_map(f64::to_ne_bytes).collect()))
+    }
+
+    fn ab_points_deserial(args) {
+        let (rows, rest) = args.bytes(0).as_chunks::<POINT_LEN>();
+        if !rest.is_empty() {
+            return Err(Error::binary("the state of a fit", "a point is cut short"));
+        }
+        let point = |row: &[u8; POINT_LEN]| {
+            Point::from_stored(&std::array::from_fn(|i| {
+                f64::from_ne_bytes(std::array::from_fn(|k| row[8 * i + k]))
+            }))
+        };
+        Ok(deserialised_state(rows.iter().map(point).collect::<Vec<Point>>()).ret())
+    }
+
+    fn ab_line_fit(args) {
+        points(args)?.map_or(Ok(Ret::Null), |p| ret(&fit::line(&p, &interrupt)?))
+    }
+
+    fn ab_plane_fit(args) {
+        points(args)?.map_or(Ok(Ret::Null), |p| ret(&fit::plane(&p, &interrupt)?))
+    }
+}

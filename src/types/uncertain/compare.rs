@@ -1,0 +1,48 @@
+//! Equality, order and hash of the stored numbers. Zero is zero whatever its sign, as in float8.
+
+use std::cmp::Ordering;
+
+use crate::pg::{Args, Ret, sql_functions};
+
+fn order<const N: usize>(args: &Args) -> Ordering {
+    let (a, b) = (args.numbers::<N>(0), args.numbers::<N>(1));
+    // Stored numbers are finite.
+    a.iter()
+        .zip(&b)
+        .map(|(x, y)| x.partial_cmp(y).unwrap_or(Ordering::Equal))
+        .find(|o| o.is_ne())
+        .unwrap_or(Ordering::Equal)
+}
+
+fn hash<const N: usize>(args: &Args) -> Ret {
+    // Kept in hash indexes: it must never change.
+    let mut crc = crc32fast::Hasher::new();
+    args.numbers::<N>(0).iter().for_each(|x| crc.update(&(x + 0.0).to_le_bytes()));
+    Ret::I32(crc.finalize() as i32)
+}
+
+sql_functions! {
+    fn ab_point_eq(args) { Ok(Ret::Bool(order::<9>(args).is_eq())) }
+    fn ab_point_ne(args) { Ok(Ret::Bool(order::<9>(args).is_ne())) }
+    fn ab_point_lt(args) { Ok(Ret::Bool(order::<9>(args).is_lt())) }
+    fn ab_point_le(args) { Ok(Ret::Bool(order::<9>(args).is_le())) }
+    fn ab_point_ge(args) { Ok(Ret::Bool(order::<9>(args).is_ge())) }
+    fn ab_point_gt(args) { Ok(Ret::Bool(order::<9>(args).is_gt())) }
+    fn ab_point_compare(args) { Ok(Ret::I32(order::<9>(args) as i32)) }
+    fn ab_point_hash(args) { Ok(hash::<9>(args)) }
+
+    fn ab_line_eq(args) { Ok(Ret::Bool(order::<27>(args).is_eq())) }
+    fn ab_line_ne(args) { Ok(Ret::Bool(order::<27>(args).is_ne())) }
+    fn ab_line_hash(args) { Ok(hash::<27>(args)) }
+
+    fn ab_plane_eq(args) { Ok(Ret::Bool(order::<16>(args).is_eq())) }
+    fn ab_plane_ne(args) { Ok(Ret::Bool(order::<16>(args).is_ne())) }
+    fn ab_plane_hash(args) { Ok(hash::<16>(args)) }
+
+    fn ab_pose_eq(args) { Ok(Ret::Bool(order::<36>(args).is_eq())) }
+    fn ab_pose_ne(args) { Ok(Ret::Bool(order::<36>(args).is_ne())) }
+    fn ab_pose_hash(args) { Ok(hash::<36>(args)) }
+
+    fn ab_mass_ne(args) { Ok(Ret::Bool(order::<3>(args).is_ne())) }
+    fn ab_mass_hash(args) { Ok(hash::<3>(args)) }
+}
