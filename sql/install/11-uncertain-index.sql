@@ -157,6 +157,18 @@ COMMENT ON OPERATOR && (ab_box, ab_point) IS 'Boxes overlap; for a point or line
 CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_line, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
 COMMENT ON OPERATOR && (ab_box, ab_line) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
 
+CREATE FUNCTION ab_overlaps(a ab_solid, b ab_point) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_solid_point' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+COMMENT ON FUNCTION ab_overlaps(ab_solid, ab_point) IS 'Does a solid, grown by 0.25 m as for scans, meet the box of a point grown by five standard deviations';
+
+CREATE FUNCTION ab_overlaps(a ab_point, b ab_solid) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_point_solid' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+COMMENT ON FUNCTION ab_overlaps(ab_point, ab_solid) IS 'Does a solid, grown by 0.25 m as for scans, meet the box of a point grown by five standard deviations';
+CREATE OPERATOR && (LEFTARG = ab_solid, RIGHTARG = ab_point, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+COMMENT ON OPERATOR && (ab_solid, ab_point) IS 'A point may be of a solid: its box of five standard deviations meets the solid''s, grown by 0.25 m';
+CREATE OPERATOR && (LEFTARG = ab_point, RIGHTARG = ab_solid, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+COMMENT ON OPERATOR && (ab_point, ab_solid) IS 'A point may be of a solid: its box of five standard deviations meets the solid''s, grown by 0.25 m';
+
 CREATE FUNCTION ab_within(a ab_point, b ab_point, sigmas float8) RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE COST 200
     RETURN a && ab_reach(b, sigmas) AND ab_mahalanobis(a, b) <= sigmas;
@@ -179,7 +191,7 @@ CREATE FUNCTION ab_gist_line_compress(entry internal) RETURNS internal
 COMMENT ON FUNCTION ab_gist_line_compress(internal) IS 'GiST support';
 
 CREATE OPERATOR CLASS ab_point_gist_ops DEFAULT FOR TYPE ab_point USING gist AS
-    OPERATOR 1 && (ab_point, ab_box), OPERATOR 4 && (ab_point, ab_point),
+    OPERATOR 1 && (ab_point, ab_box), OPERATOR 4 && (ab_point, ab_point), OPERATOR 5 && (ab_point, ab_solid),
     FUNCTION 1 ab_gist_consistent(internal, ab_point, smallint, oid, internal),
     FUNCTION 2 ab_gist_union(internal, internal),
     FUNCTION 3 ab_gist_point_compress(internal),
@@ -199,3 +211,16 @@ CREATE OPERATOR CLASS ab_line_gist_ops DEFAULT FOR TYPE ab_line USING gist AS
     FUNCTION 7 ab_gist_same(ab_box, ab_box, internal),
     STORAGE ab_box;
 COMMENT ON OPERATOR CLASS ab_line_gist_ops USING gist IS 'Joins on && by boxes grown by five standard deviations';
+
+-- Evidence from tie points.
+
+CREATE FUNCTION ab_evidence_accum(state internal, solid ab_solid, point ab_point, cameras float8[], model ab_evidence_model) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_evidence_accum_point' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 2000;
+COMMENT ON FUNCTION ab_evidence_accum(internal, ab_solid, ab_point, float8[], ab_evidence_model) IS 'Transition of ab_evidence_agg over tie points';
+
+CREATE AGGREGATE ab_evidence_agg(solid ab_solid, point ab_point, cameras float8[], model ab_evidence_model) (
+    SFUNC = ab_evidence_accum, STYPE = internal, SSPACE = 1000000,
+    COMBINEFUNC = ab_evidence_combine, SERIALFUNC = ab_evidence_serial, DESERIALFUNC = ab_evidence_deserial,
+    FINALFUNC = ab_evidence_final, PARALLEL = SAFE);
+COMMENT ON AGGREGATE ab_evidence_agg(ab_solid, ab_point, float8[], ab_evidence_model) IS
+    'What tie points say about one solid: a surface at each point, once, with the point''s own covariance, and empty space along the rays from its cameras (n x 3, metres). Choose spacing near the distance of the points. A NULL point keeps the object';

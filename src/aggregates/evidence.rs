@@ -1,12 +1,13 @@
 //! `ab_evidence_agg(solid, patch, model)` and `ab_rollup_agg(evidence)`.
 
-use asbuilt_core::geometry::Solid;
+use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::scan::Header;
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel};
 use asbuilt_core::{Error, Result};
 
 use crate::pg::{AggState, Args, Ret, aggregate_state, deserialised_state, interrupt, sql_functions};
 use crate::types::model_arg;
+use crate::types::uncertain::value;
 
 /// Evidence about one solid, gathered by one worker.
 #[derive(Default)]
@@ -49,9 +50,9 @@ impl State {
         }
     }
 
-    /// The collector for the row's solid and model, made at the first row.
-    fn collecting(&mut self, args: &Args) -> Result<&mut Collector> {
-        let model = model_arg(args, 3)?;
+    /// The collector for the row's solid (argument 1) and model (argument `m`), made at the first row.
+    fn collecting(&mut self, args: &Args, m: usize) -> Result<&mut Collector> {
+        let model = model_arg(args, m)?;
         if matches!(self, Self::Empty) {
             let solid = Solid::from_stored(args.bytes(1), &interrupt)?;
             let collector = Collector::new(&solid, model, &interrupt)?;
@@ -84,9 +85,26 @@ sql_functions! {
     fn ab_evidence_accum(args) {
         let mut state = state(args, 0)?;
         if !args.is_null(1) {
-            let collector = state.get().collecting(args)?;
+            let collector = state.get().collecting(args, 3)?;
             if !args.is_null(2) && collector.concerns(&Header::read(args.prefix(2, Header::LEN))?) {
                 collector.absorb(args.bytes(2), &interrupt)?;
+            }
+        }
+        Ok(state.ret())
+    }
+
+    /// transition(state, solid, tie point, cameras, model): a NULL point adds nothing; without cameras it has no rays.
+    fn ab_evidence_accum_point(args) {
+        let mut state = state(args, 0)?;
+        if !args.is_null(1) {
+            let collector = state.get().collecting(args, 4)?;
+            if !args.is_null(2) {
+                let cameras = if args.is_null(3) { Vec::new() } else { args.f64_triples(3, "the cameras")? };
+                if let Some(c) = cameras.iter().flatten().find(|c| !c.is_finite()) {
+                    return Err(Error::argument("a camera's coordinate", "finite", c));
+                }
+                let cameras: Vec<Vec3> = cameras.into_iter().map(Vec3::from).collect();
+                collector.absorb_tie_point(&value(args, 2), &cameras, &interrupt)?;
             }
         }
         Ok(state.ret())

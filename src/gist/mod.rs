@@ -2,7 +2,7 @@
 
 use asbuilt_core::geometry::split::{penalty, split};
 use asbuilt_core::geometry::{Aabb, Solid};
-use asbuilt_core::scan::Header;
+use asbuilt_core::scan::{Header, JOIN_MARGIN_M};
 use asbuilt_core::uncertain::{Line, Point, Stored};
 
 use crate::pg::{Args, KeyVector, PickSplit, Ret, sql_functions};
@@ -14,6 +14,7 @@ const OVERLAPS_BOX: i16 = 1;
 const OVERLAPS_SOLID: i16 = 2;
 const OVERLAPS_SCAN: i16 = 3;
 const OVERLAPS_POINT: i16 = 4;
+const POINT_OVERLAPS_SOLID: i16 = 5;
 
 fn key(args: &Args, i: usize) -> Aabb {
     box_from(&args.entry_key::<BOX_LEN>(i))
@@ -25,7 +26,8 @@ fn query(args: &Args, strategy: i16) -> asbuilt_core::Result<Aabb> {
         OVERLAPS_SOLID => Ok(Solid::header(args.prefix(1, Solid::HEADER_LEN))?.bounds),
         OVERLAPS_SCAN => Ok(Header::read(args.prefix(1, Header::LEN))?.hull),
         OVERLAPS_POINT => Ok(overlap_box(args, 1, "point")),
-        other => Err(asbuilt_core::Error::argument("the GiST strategy", "1 to 4", other)),
+        POINT_OVERLAPS_SOLID => Ok(Solid::header(args.prefix(1, Solid::HEADER_LEN))?.bounds.expanded(JOIN_MARGIN_M)),
+        other => Err(asbuilt_core::Error::argument("the GiST strategy", "1 to 5", other)),
     }
 }
 

@@ -80,6 +80,20 @@ unsafe fn expected_row(fcinfo: pg_sys::FunctionCallInfo) -> pg_sys::TupleDesc {
     }
 }
 
+/// The row type of a call, looked up once a query: it is kept where the function's call site keeps its own data.
+unsafe fn remembered_row(fcinfo: pg_sys::FunctionCallInfo) -> pg_sys::TupleDesc {
+    unsafe {
+        let site = (*fcinfo).flinfo;
+        if (*site).fn_extra.is_null() {
+            let before = pg_sys::MemoryContextSwitchTo((*site).fn_mcxt);
+            let desc = pg_sys::BlessTupleDesc(pg_sys::CreateTupleDescCopy(expected_row(fcinfo)));
+            pg_sys::MemoryContextSwitchTo(before);
+            (*site).fn_extra = desc.cast();
+        }
+        (*site).fn_extra.cast()
+    }
+}
+
 unsafe fn values(desc: pg_sys::TupleDesc, fields: &[Field]) -> (Vec<pg_sys::Datum>, Vec<bool>) {
     let natts = unsafe { (*desc).natts } as usize;
     assert!(natts == fields.len(), "{natts} columns declared, {} given", fields.len());
@@ -101,7 +115,7 @@ unsafe fn values(desc: pg_sys::TupleDesc, fields: &[Field]) -> (Vec<pg_sys::Datu
 /// `fcinfo` must be the pointer PostgreSQL called the function with.
 pub unsafe fn composite(fcinfo: pg_sys::FunctionCallInfo, fields: &[Field]) -> pg_sys::Datum {
     unsafe {
-        let desc = pg_sys::BlessTupleDesc(expected_row(fcinfo));
+        let desc = remembered_row(fcinfo);
         let (mut datums, mut nulls) = values(desc, fields);
         let tuple = pg_sys::heap_form_tuple(desc, datums.as_mut_ptr(), nulls.as_mut_ptr());
         pg_sys::HeapTupleHeaderGetDatum((*tuple).t_data)

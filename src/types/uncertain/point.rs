@@ -1,6 +1,7 @@
 //! `ab_point`: constructor, accessors, confidence regions, search.
 
-use asbuilt_core::geometry::{Aabb, Vec3};
+use asbuilt_core::geometry::{Aabb, Solid, Vec3};
+use asbuilt_core::scan::JOIN_MARGIN_M;
 use asbuilt_core::uncertain::{Line, Point};
 use asbuilt_core::{Error, Result};
 
@@ -26,6 +27,11 @@ pub fn overlap_box(args: &Args, i: usize, ty: &str) -> Aabb {
 
 fn overlap(args: &Args, left: &str, right: &str) -> Result<Ret> {
     Ok(Ret::Bool(overlap_box(args, 0, left).overlaps(&overlap_box(args, 1, right))))
+}
+
+/// The box within which a point may be of the solid in argument `i`.
+fn near_solid(args: &Args, i: usize) -> Result<Aabb> {
+    Ok(Solid::header(args.prefix(i, Solid::HEADER_LEN))?.bounds.expanded(JOIN_MARGIN_M))
 }
 
 fn sd(p: &Point) -> [f64; 3] {
@@ -83,6 +89,8 @@ sql_functions! {
         Ok(Ret::Fixed(box_bytes(&point(args, 0).bounds(sigmas))))
     }
 
+    fn ab_overlaps_solid_point(args) { Ok(Ret::Bool(near_solid(args, 0)?.overlaps(&overlap_box(args, 1, "point")))) }
+    fn ab_overlaps_point_solid(args) { Ok(Ret::Bool(near_solid(args, 1)?.overlaps(&overlap_box(args, 0, "point")))) }
     fn ab_overlaps_point_box(args) { overlap(args, "point", "box") }
     fn ab_overlaps_point_point(args) { overlap(args, "point", "point") }
     fn ab_overlaps_line_box(args) { overlap(args, "line", "box") }

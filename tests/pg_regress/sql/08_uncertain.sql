@@ -46,7 +46,7 @@ SELECT ab_volume(ab_transform(ab_solid(ab_box(0,0,0,1,2,3)), ab_pose(ARRAY[5,5,5
 -- best fits
 SELECT ab_normal(p) AS normal, round((ab_covariance(p))[4][4]::numeric, 12) AS offset_variance FROM (
     SELECT ab_plane_agg(ab_point(i, j, 2, 0.01)) p FROM generate_series(1, 10) i, generate_series(1, 10) j) x;
-SELECT ab_position(ab_start(l)), ab_position(ab_end(l)) FROM (SELECT ab_line(array_agg(ab_point(i, 2 * i, 0, 0.01))) l FROM generate_series(0, 10) i) x;
+SELECT (ab_distance(ab_start(l), ab_point(0,0,0))).distance < 1e-9 AS starts_at_the_first, (ab_distance(ab_end(l), ab_point(10,20,0))).distance < 1e-9 AS ends_at_the_last FROM (SELECT ab_line(array_agg(ab_point(i, 2 * i, 0, 0.01))) l FROM generate_series(0, 10) i) x;
 -- tests
 SELECT round(statistic::numeric, 9) statistic, dof, round(p_value::numeric, 6) p_value FROM ab_test_same(ab_point(0,0,0,0.003), ab_point(0.005,0,0,0.004));
 SELECT round(statistic::numeric, 9) statistic, dof, round(p_value::numeric, 6) p_value FROM ab_test_incident(ab_point(5,5,0.0098,0.003), ab_plane('{5,5,0}', '{0,0,1}', 0.004));
@@ -80,3 +80,17 @@ SELECT count(*) > 50 AS found_some, count(*) = (SELECT count(*) FROM segment WHE
 SELECT count(*) > 30 AS found_some, count(*) = (SELECT count(*) FROM cloud WHERE ab_overlaps(p, ab_box(4,4,0,5,5,1))) AS index_is_sequence FROM cloud WHERE p && ab_box(4,4,0,5,5,1);
 RESET enable_seqscan;
 DROP TABLE object, copied, cloud, question, by_index, in_sequence, segment;
+
+-- evidence from tie points with their cameras, and from points without origin
+CREATE TABLE wall AS SELECT 1 AS id, ab_solid(ab_box(-0.2, 0, 0, 0, 1, 1)) AS solid UNION ALL SELECT 2, ab_solid(ab_box(-5, 0, 0, -4.8, 1, 1)) UNION ALL SELECT 3, ab_solid(ab_box(1, 0.2, 0.2, 1.1, 0.8, 0.8));
+CREATE TABLE tie AS SELECT ab_point(0.001 * sin(i * i), (i % 60) / 60.0, (i / 60) / 60.0, sd => 0.001) AS p, ARRAY[[4, 0.2, 0.5], [4, 0.8, 0.5]]::float8[] AS cameras FROM generate_series(0, 3599) i;
+CREATE INDEX ON tie USING gist (p);
+SELECT id, verdict, best_loa, coverage > 0.2 AS seen FROM (SELECT id, ab_evidence_agg(solid, p, cameras, ab_evidence_model()) e FROM wall LEFT JOIN tie ON true GROUP BY id) x, ab_summary(e) ORDER BY 1;
+SELECT id, verdict, ab_station_count(e) FROM (SELECT id, ab_evidence_agg(solid, p, NULL, ab_evidence_model()) e FROM wall LEFT JOIN tie ON p && solid GROUP BY id) x, ab_summary(e) ORDER BY 1;
+SET enable_seqscan = off; SET enable_mergejoin = off; SET enable_hashjoin = off;
+SELECT (SELECT count(*) FROM wall JOIN tie ON p && solid) = (SELECT count(*) FROM wall JOIN tie ON ab_overlaps(solid, p)) AS index_is_sequence;
+EXPLAIN (COSTS OFF) SELECT count(*) FROM wall JOIN tie ON p && solid;
+RESET enable_seqscan; RESET enable_mergejoin; RESET enable_hashjoin;
+SELECT ab_evidence_agg(solid, ab_point(0,0,0), '{{1,2}}', ab_evidence_model()) FROM wall WHERE id = 1;
+SELECT ab_evidence_agg(solid, ab_point(0,0,0), '{{1,2,nan}}', ab_evidence_model()) FROM wall WHERE id = 1;
+DROP TABLE wall, tie;

@@ -54,4 +54,4 @@ SELECT ab_image_mass(ARRAY[0,0,0]::float8[], ARRAY[5,0,0]::float8[], ARRAY[5,0,0
 SELECT round(ab_belief(ab_dense_mass(ARRAY[0,0,0]::float8[], ARRAY[0,0,2]::float8[], ARRAY[0,0,z]::float8[]))::numeric, 6) AS occupied, ab_belief(ab_dense_mass(ARRAY[0,0,0]::float8[], ARRAY[0,0,2]::float8[], ARRAY[0,0,z]::float8[]), 'empty') AS empty FROM unnest(ARRAY[0, 0.004, 0.01]) z;
 SELECT sd, round(ab_belief(m)::numeric, 4) occupied, round(ab_belief(m, 'empty')::numeric, 4) empty
 FROM unnest(ARRAY[0, 0.005, 0.02]) sd, LATERAL (SELECT ab_tie_point_mass(ARRAY[0,0,0]::float8[], ab_point(5,0,0,sd), ARRAY[4.98,0,0]::float8[]) m) x;
-SELECT round(ab_belief(ab_surface_mass(0, 0.001, 0.002))::numeric, 6) AS within, round(ab_belief(ab_surface_mass(-0.01, 0.001, 0.002), 'empty')::numeric, 6) AS behind, ab_surface_mass(0.01, 0.001, 0.002) AS before_it;
+SELECT round(ab_belief(ab_surface_mass(0, 0.001, 0.002))::numeric, 6) AS within, round(ab_belief(ab_surface_mass(-0.01, 0.001, 0.002), 'empty')::numeric, 6) AS behind, round(ab_plausibility(ab_surface_mass(0.01, 0.001, 0.002), 'empty')::numeric, 6) AS before_it;

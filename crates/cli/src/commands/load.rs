@@ -22,8 +22,8 @@ use crate::stations::{self, Packed};
 #[command(after_long_help = "\
 Models: IFC (STEP). Every product with a body becomes a row of building_object; what cannot be meshed is named.
 Scans: E57, LAS, LAZ, PLY, PTX, PCD, XYZ, PTS. Every scanner position becomes a row of station, its beams patches in
-scan. E57 and PTX tell the scanner's position; for the others give --origin, or the points are kept, but say
-nothing in a verdict yet. Loading a file again replaces what it had loaded. A file that fails leaves nothing behind.
+scan. E57 and PTX tell the scanner's position; for the others give --origin, or their points say where something is,
+but never that a place is empty. Loading a file again replaces what it had loaded. A file that fails leaves nothing behind.
 
 Examples:
   asbuilt load model.ifc --loa LOA20
@@ -276,8 +276,8 @@ fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
     }
     if total.without_origin > 0 {
         say!(
-            "  warning: {} of them without scanner position: their points are kept, but say nothing in a verdict yet; \
-             give --origin x,y,z if they were scanned from one place",
+            "  warning: {} of them without scanner position: their points say where something is, but never that a place is \
+             empty; give --origin x,y,z if they were scanned from one place",
             total.without_origin
         );
     }
@@ -318,13 +318,13 @@ impl Total {
 }
 
 fn store(args: &LoadArgs, source: &str, scan: &RawScan, tx: &mut Transaction) -> Result<Packed> {
-    let pose = scan.world_from_scan.map(|q| {
-        let a = scan.anchor;
-        vec![a.x, a.y, a.z, q[0], q[1], q[2], q[3]]
-    });
-    let insert = "INSERT INTO station (epoch, name, pose, sensor, source) VALUES ($1, $2, $3, $4, $5) RETURNING id";
+    let translation = scan.world_from_scan.map(|_| scan.anchor.as_slice().to_vec());
+    let rotation = scan.world_from_scan.map(|q| q.to_vec());
+    let insert = "INSERT INTO station (epoch, name, pose, sensor, source)
+        VALUES ($1, $2, ab_pose($3::float8[], $4::float8[]), $5, $6) RETURNING id";
     let name = scan.name.replace('\0', "");
-    let row = tx.query_one(insert, &[&args.epoch, &name, &pose, &scan.sensor, &source]).map_err(explain)?;
+    let row =
+        tx.query_one(insert, &[&args.epoch, &name, &translation, &rotation, &scan.sensor, &source]).map_err(explain)?;
     let station: i64 = row.get(0);
     let mut copy = BinaryCopy::start(tx, "scan", &["station_id", "epoch", "patch"])?;
     let packed = stations::pack(scan, station, args.min_range, |patch| {

@@ -30,12 +30,12 @@ const TABLES: [(&str, &str); 3] = [
             id     bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY,
             epoch  integer NOT NULL,
             name   text NOT NULL,
-            pose   float8[],
+            pose   ab_pose,
             sensor text,
             source text NOT NULL
         );
         CREATE INDEX station_epoch_idx ON station (epoch);
-        COMMENT ON TABLE station IS 'Scanner positions: pose is x, y, z in metres and the unit quaternion w, x, y, z; NULL for points without origin';",
+        COMMENT ON TABLE station IS 'Scanner positions: pose is the transform from scanner to world, as far as the file tells it; NULL for points without origin';",
     ),
     (
         "scan",

@@ -128,14 +128,19 @@ impl Accumulator {
     /// One station as one body of evidence: docs/method.md, "surface".
     fn add_surface(&mut self, station: &Station, sums: &Sums, position: &Vec3, normal: &Vec3, model: &EvidenceModel) {
         let Some(r) = SurfaceReading::of(sums) else { return };
-        let sight = position - station.origin;
-        let range = sight.norm().max(1e-6);
-        let cos = sight.dot(normal).abs() / range;
+        // Points without origin count along the normal and have no range.
+        let sight = station.origin.map_or(-normal, |origin| position - origin);
+        let range = if station.origin.is_some() { sight.norm().max(1e-6) } else { 0.0 };
+        let cos = sight.dot(normal).abs() / sight.norm().max(1e-6);
         let covered = 1.0 - (-(r.hit + r.through)).exp();
         let hit_share = r.hit / (r.hit + r.through);
         let sigma = deviation_sigma(&r, range, cos, model);
         let seen = SurfaceObservation { deviation: r.deviation, sd: sigma, coverage: covered, hit_share };
-        let (mass, in_front) = seen.mass(model.tolerance(), model.reliability);
+        let (mut mass, in_front) = seen.mass(model.tolerance(), model.reliability);
+        if station.origin.is_none() {
+            // No ray, no emptiness.
+            mass = Mass { empty: 0.0, unknown: mass.unknown + mass.empty, ..mass };
+        }
         self.add_mass(&mass);
         self.not_in_front *= 1.0 - IN_FRONT_RELIABILITY * in_front;
         self.not_covered *= 1.0 - model.reliability * covered;

@@ -1,14 +1,22 @@
 //! Adding patches to the evidence about one solid.
 
+use nalgebra::Matrix3;
+
 use super::crossing::Target;
 use super::evidence::Evidence;
 use super::model::{EvidenceModel, ModelKind};
+use super::point_index::{LocalPoint, PointIndex};
 use super::sample::{Block, Samples};
 use super::sums::Sums;
+use super::surface_sums::{Encounter, KERNEL_SPACINGS};
 use super::{ray_sums, surface_sums};
 use crate::geometry::{Solid, Vec3};
-use crate::scan::{Header, Patch, View};
+use crate::scan::{Beam, Header, Patch, View};
+use crate::uncertain::Point;
 use crate::{Interrupt, Result, poll};
+
+/// The station number of tie points; their cameras tell themselves apart by their places.
+const TIE_POINTS: i64 = 0;
 
 /// Evidence in the making: the value, and the solid made ready for beams.
 #[derive(Debug)]
@@ -17,6 +25,8 @@ pub struct Collector {
     target: Target,
     /// Ball (local centre, radius) around each block of samples.
     balls: Vec<(Vec3, f64)>,
+    /// Made when the first point without a beam comes.
+    point_index: Option<PointIndex>,
 }
 
 impl Collector {
@@ -28,7 +38,7 @@ impl Collector {
         let balls = samples.balls(interrupt)?;
         let fingerprint = solid.fingerprint(interrupt)?;
         let evidence = Evidence { model, fingerprint, bounds: solid.bounds(), samples, stations: Vec::new() };
-        Ok(Self { evidence, target: Target::new(solid, interrupt)?, balls })
+        Ok(Self { evidence, target: Target::new(solid, interrupt)?, balls, point_index: None })
     }
 
     /// The evidence so far.
@@ -49,23 +59,96 @@ impl Collector {
     /// Whether a patch can say anything, by its header alone.
     pub fn concerns(&self, header: &Header) -> bool {
         let bounds = &self.evidence.bounds;
+        if !header.has_origin() {
+            let reach = self.evidence.model.band_behind() + KERNEL_SPACINGS * f64::from(header.step);
+            return header.points.expanded(reach).overlaps(bounds);
+        }
         let offset = bounds.centre() - header.origin;
         let radius = 0.5 * bounds.diagonal();
-        header.has_origin()
-            && offset.norm() - radius <= self.reach(header)
+        offset.norm() - radius <= self.reach(header)
             && header.cone.meets_ball(&offset, radius + self.kernel_radius(), self.margin(header))
     }
 
-    /// Adds what a packed patch says. Patches without origin say nothing yet (see docs/method.md).
+    /// Adds what a packed patch says. Points without origin speak for the face nearest to them, and never of empty
+    /// space.
     pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
         if !self.concerns(&Header::read(patch)?) {
             return Ok(());
         }
         let (header, beams) = Patch::beams_of(patch)?;
-        self.absorb_view(&View::new(header, &beams), interrupt)
+        if header.has_origin() {
+            return self.absorb_view(&View::new(header, &beams), |_| (), interrupt);
+        }
+        let shift = header.origin - self.evidence.samples.reference;
+        let spacing = f64::from(header.step).max(1e-4);
+        let point = |b: &Beam| LocalPoint { position: b.offset + shift, covariance: Matrix3::zeros(), spacing };
+        let points: Vec<LocalPoint> = beams.iter().filter(|b| b.returned).map(point).collect();
+        self.absorb_points(&points, header.station, interrupt)
     }
 
-    fn absorb_view(&mut self, view: &View, interrupt: Interrupt) -> Result<()> {
+    /// Adds what an uncertain point (a tie point) says that cameras saw: a surface at its place, once, however many
+    /// cameras there were, and empty space along their rays, one weight shared out among them.
+    pub fn absorb_tie_point(&mut self, point: &Point, cameras: &[Vec3], interrupt: Interrupt) -> Result<()> {
+        let spacing = self.evidence.model.spacing;
+        let position = point.position - self.evidence.samples.reference;
+        let local = LocalPoint { position, covariance: point.covariance, spacing };
+        if self.evidence.model.kind == ModelKind::Surface || cameras.is_empty() {
+            self.absorb_points(&[local], TIE_POINTS, interrupt)?;
+        }
+        let share = 1.0 / cameras.len().max(1) as f64;
+        for camera in cameras {
+            let beam = Beam { offset: point.position - camera, returned: true };
+            let step = spacing / beam.offset.norm().max(spacing);
+            let patch = Patch::encode(TIE_POINTS, *camera, step, Patch::QUANTUM_M, &[beam])?;
+            if self.concerns(patch.header()) {
+                let view = View::new(patch.header().clone(), &[beam]);
+                self.absorb_view(&view, |e: &mut Encounter| e.pierced_alone(share), interrupt)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn absorb_points(&mut self, points: &[LocalPoint], id: i64, interrupt: Interrupt) -> Result<()> {
+        let Self { evidence, point_index, .. } = self;
+        let index = match point_index {
+            Some(index) => index,
+            None => point_index.insert(PointIndex::of(&evidence.samples, interrupt)?),
+        };
+        let model = evidence.model;
+        let rays = model.ray_model();
+        let station = evidence.station_index(id, None);
+        let Evidence { samples, stations, .. } = evidence;
+        let blocks = &mut stations[station].blocks;
+        for (i, point) in points.iter().enumerate() {
+            if i % 64 == 0 {
+                poll(interrupt)?;
+            }
+            index.gather(samples, point, (model.band_in_front(), model.band_behind()), |touch| {
+                let block = samples.blocks[touch.block as usize];
+                let sums =
+                    blocks.entry(touch.block).or_insert_with(|| vec![Sums::default(); block.len as usize].into());
+                let sums = &mut sums[touch.k];
+                match model.kind {
+                    ModelKind::Surface => {
+                        surface_sums::add_point(touch.weight, touch.deviation, touch.variance, sums);
+                    }
+                    ModelKind::Meyer2022 => {
+                        let query = samples.local(block.start as usize + touch.k);
+                        let normal = &samples.normals[block.face as usize];
+                        let mass = rays.dense_point_mass(&point.position, normal, &query);
+                        ray_sums::add_mass(&mass.discounted(model.reliability), sums);
+                    }
+                }
+            });
+        }
+        if blocks.is_empty() {
+            stations.remove(station);
+        }
+        self.evidence.check_size()
+    }
+
+    /// `adjust` may take back some of what the beams encountered.
+    fn absorb_view(&mut self, view: &View, adjust: impl Fn(&mut Encounter), interrupt: Interrupt) -> Result<()> {
         let model = self.evidence.model;
         match model.kind {
             ModelKind::Surface => {
@@ -73,7 +156,8 @@ impl Collector {
                 if !crossings.any {
                     return Ok(());
                 }
-                let encounters = surface_sums::encounters(view, &crossings, &model);
+                let mut encounters = surface_sums::encounters(view, &crossings, &model);
+                encounters.iter_mut().for_each(adjust);
                 let min_cos = model.max_incidence.cos();
                 self.for_blocks(view, true, interrupt, |offset, normal, sums| {
                     let cos = -offset.dot(normal) / offset.norm();
@@ -98,7 +182,7 @@ impl Collector {
     ) -> Result<()> {
         let header = &view.header;
         let (margin, reach, kernel) = (self.margin(header), self.reach(header), self.kernel_radius());
-        let station = self.evidence.station_index(header.station, header.origin);
+        let station = self.evidence.station_index(header.station, Some(header.origin));
         let Evidence { samples, stations, .. } = &mut self.evidence;
         let scanner = header.origin - samples.reference;
         for (i, block) in samples.blocks.iter().enumerate() {
@@ -140,7 +224,7 @@ impl Collector {
 
     /// Angle beyond the patch's cone within which a sample still hears its beams, radians.
     fn margin(&self, header: &Header) -> f64 {
-        surface_sums::KERNEL_SPACINGS * f64::from(header.step) + 1e-6
+        KERNEL_SPACINGS * f64::from(header.step) + 1e-6
     }
 
     /// The same as a length, for the model whose kernel is one.

@@ -17,22 +17,23 @@ pub(super) const MAX_SUMS: usize = 64_000_000;
 pub struct Station {
     /// The station's number, as in its patches.
     pub id: i64,
-    /// Where its beams start, world metres. With the number, what tells stations apart.
-    pub origin: Vec3,
+    /// Where its beams start, world metres; `None` for points without origin. With the number, what tells stations
+    /// apart.
+    pub origin: Option<Vec3>,
     pub(super) blocks: BTreeMap<u32, Box<[Sums]>>,
 }
 
 impl Station {
-    pub(super) fn new(id: i64, origin: Vec3) -> Self {
+    pub(super) fn new(id: i64, origin: Option<Vec3>) -> Self {
         Self { id, origin, blocks: BTreeMap::new() }
     }
 
     /// Order of stations in a value: by number, then by place.
     pub(super) fn key(&self) -> (i64, [u64; 3]) {
-        (self.id, self.origin.map(f64::to_bits).into())
+        (self.id, self.origin.map_or([u64::MAX; 3], |o| o.map(f64::to_bits).into()))
     }
 
-    fn is(&self, id: i64, origin: &Vec3) -> bool {
+    fn is(&self, id: i64, origin: &Option<Vec3>) -> bool {
         self.id == id && self.origin == *origin
     }
 
@@ -97,7 +98,7 @@ impl Evidence {
     }
 
     /// The place of a station in [`Evidence::stations`], made if it is new.
-    pub(super) fn station_index(&mut self, id: i64, origin: Vec3) -> usize {
+    pub(super) fn station_index(&mut self, id: i64, origin: Option<Vec3>) -> usize {
         if let Some(i) = self.stations.iter().position(|s| s.is(id, &origin)) {
             return i;
         }

@@ -2,7 +2,7 @@
 //!
 //! Layout, little-endian, version 1: version u8, `'E'` u8, two-sided u8, 0 u8, fingerprint, faces, blocks, samples
 //! and stations u32, reference 3×f64, box 6×f64, model; then face normals 3×f64; blocks as (face varint, length
-//! u8); samples 3×f32; per station its number i64, origin 3×f64, blocks present u32, and per block its number
+//! u8); samples 3×f32; per station its number i64, origin 3×f64 (NaN: none), blocks present u32, and per block its number
 //! (varint, difference) and per sample the beams (varint) and, unless 0, five signed varints.
 
 use super::evidence::{Evidence, EvidenceHeader, MAX_SUMS, Station};
@@ -15,6 +15,7 @@ use crate::num::bytes::{Put, Reader};
 use crate::{Interrupt, poll_now_and_then};
 
 const TY: &str = "ab_evidence";
+const NO_ORIGIN: Vec3 = Vec3::new(f64::NAN, f64::NAN, f64::NAN);
 
 impl Evidence {
     /// Layout version written by this release.
@@ -139,7 +140,7 @@ fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize) -> Re
 
 fn write_station(station: &Station, out: &mut Vec<u8>, interrupt: Interrupt) -> Result<()> {
     out.put_i64(station.id);
-    out.put_vec3(&station.origin);
+    out.put_vec3(&station.origin.unwrap_or(NO_ORIGIN));
     out.put_u32(station.blocks.len() as u32);
     let mut next = 0;
     for (round, (&i, sums)) in station.blocks.iter().enumerate() {
@@ -165,9 +166,11 @@ fn read_station(
 ) -> Result<Station> {
     let id = r.i64()?;
     let origin = r.vec3()?;
-    if !origin.iter().all(|c| c.is_finite()) {
-        return Err(r.bad("a station's origin is not finite"));
-    }
+    let origin = match (origin.iter().all(|c| c.is_finite()), origin.iter().all(|c| c.is_nan())) {
+        (true, _) => Some(origin),
+        (_, true) => None,
+        _ => return Err(r.bad("a station's origin is not finite")),
+    };
     let mut station = Station::new(id, origin);
     let present = r.u32()?;
     if present == 0 {

@@ -13,6 +13,7 @@ mod evidence;
 mod evidence_bytes;
 mod face;
 mod model;
+mod point_index;
 mod ray_sums;
 mod sample;
 mod shift;

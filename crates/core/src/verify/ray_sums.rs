@@ -2,7 +2,7 @@
 
 use super::model::EvidenceModel;
 use super::sums::Sums;
-use crate::evidence::{LogCommonality, RayModel};
+use crate::evidence::{LogCommonality, Mass, RayModel};
 use crate::geometry::Vec3;
 use crate::scan::View;
 
@@ -38,10 +38,15 @@ pub fn gather(view: &View, offset: &Vec3, model: &EvidenceModel, sums: &mut Sums
                 continue;
             }
             let mass = rays.mass_at(along - beam_range, across_squared, beam_range).discounted(model.reliability);
-            if mass.unknown < 1.0 - LEAST_MASS {
-                add(&mass.log_commonality(), sums);
-            }
+            add_mass(&mass, sums);
         }
+    }
+}
+
+/// Adds one source's mass, unless it says next to nothing.
+pub fn add_mass(mass: &Mass, sums: &mut Sums) {
+    if mass.unknown < 1.0 - LEAST_MASS {
+        add(&mass.log_commonality(), sums);
     }
 }
 

@@ -54,8 +54,10 @@ impl SurfacePoints {
                     counter += 1;
                     let reading = SurfaceReading::of(&sums[k]).filter(|r| r.hit > 2.0 * r.through && r.hit > 1.0);
                     if let (true, Some(r)) = (counter % every_built == 0, reading) {
-                        let sight = local + samples.reference - station.origin;
-                        let direction = sight.normalize();
+                        let direction = match station.origin {
+                            Some(origin) => (local + samples.reference - origin).normalize(),
+                            None => -normal,
+                        };
                         let cos = direction.dot(normal).abs().max(0.1);
                         out.built.push((local - direction * (r.deviation / cos), block.face));
                     }

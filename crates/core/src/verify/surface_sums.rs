@@ -98,27 +98,47 @@ pub fn gather(view: &View, encounters: &[Encounter], offset: &Vec3, normal: &Vec
 }
 
 /// Whether a crossing at `v` from the sample lies on the sample's own surface, not on a parallel one behind it.
-fn same_surface(v: &Vec3, lateral: f64, normal_there: &Vec3, normal_here: &Vec3) -> bool {
+pub(super) fn same_surface(v: &Vec3, lateral: f64, normal_there: &Vec3, normal_here: &Vec3) -> bool {
     let rise = v.dot(normal_here).abs();
     normal_there.dot(normal_here) >= MIN_TURN_COS && (rise <= 0.002 || rise <= MAX_RISE * lateral)
 }
 
 impl Encounter {
     fn add(&self, weight: f64, sums: &mut Sums) {
-        let [hit, squared, first, second, through] = &mut sums.parts;
+        let [.., through] = &mut sums.parts;
         match self.seen {
             Seen::Nothing => return,
-            Seen::Surface(d) => {
-                let w = (weight * WEIGHT).round() as i64;
-                let d = i64::from(d);
-                *hit = hit.saturating_add(w);
-                *squared = squared.saturating_add((w * w) >> 16);
-                *first = first.saturating_add(w * d);
-                *second = second.saturating_add(w * d * d);
-            }
+            Seen::Surface(d) => return add_surface(weight, i64::from(d), 0, sums),
             Seen::Through(share) => *through = through.saturating_add((weight * share * WEIGHT).round() as i64),
         }
         sums.beams = sums.beams.saturating_add(1);
+    }
+}
+
+fn add_surface(weight: f64, d: i64, variance: i64, sums: &mut Sums) {
+    let [hit, squared, first, second, _] = &mut sums.parts;
+    let w = (weight * WEIGHT).round() as i64;
+    *hit = hit.saturating_add(w);
+    *squared = squared.saturating_add((w * w) >> 16);
+    *first = first.saturating_add(w * d);
+    *second = second.saturating_add(w * (d * d + variance));
+    sums.beams = sums.beams.saturating_add(1);
+}
+
+/// Adds a point met `deviation` metres in front of the face, with a variance (m²) of its own: it widens the scatter.
+pub fn add_point(weight: f64, deviation: f64, variance: f64, sums: &mut Sums) {
+    let fixed = |x: f64, unit: f64| (x * unit).round() as i64;
+    // No point is less certain than a metre.
+    add_surface(weight, fixed(deviation, DEVIATION), fixed(variance.min(1.0), DEVIATION * DEVIATION), sums);
+}
+
+impl Encounter {
+    /// Only what a ray pierced, at a share of its weight: where the ray's end speaks for itself.
+    pub fn pierced_alone(&mut self, share: f64) {
+        self.seen = match self.seen {
+            Seen::Through(weight) => Seen::Through(weight * share),
+            _ => Seen::Nothing,
+        };
     }
 }
 
