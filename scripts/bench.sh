@@ -97,3 +97,15 @@ row "timeout during ab_evidence_agg on 2 M triangles, worst of 15 times" "+$(wor
 row "timeout during ab_summary of 5 M samples, two stations, worst of 15 times" "+$(worst "SELECT s FROM wide, ab_summary(e) s") ms"
 row "timeout during the text form of the same ($(ask "SELECT pg_size_pretty(pg_column_size(e)::bigint) FROM wide")), worst of 15 times" "+$(worst "SELECT ab_evidence_out(e) IS NULL FROM wide") ms"
 row "timeout during ab_rollup of the same with itself, worst of 15 times" "+$(worst "SELECT ab_count(ab_rollup(e, e)) FROM wide") ms"
+
+# Belief and uncertain geometry, one core, tables in memory.
+ask "CREATE UNLOGGED TABLE mass AS SELECT ab_mass(0.3 * random(), 0.3 * random()) AS m FROM generate_series(1, 10000000)"
+ask "CREATE UNLOGGED TABLE point AS SELECT ab_point(random() * 10, random() * 10, random() * 0.01, 0.003) AS p FROM generate_series(1, 2000000)"
+ask "VACUUM ANALYZE mass"
+ask "VACUUM ANALYZE point"
+rate() { # rows, query
+  timed psql -Xq -c "SET max_parallel_workers_per_gather = 0; $2" | awk -v n="$1" '{printf "%.2f s, %.1f M/s", $1, n / $1 / 1e6}'
+}
+row "ab_combine_agg over 10 M masses" "$(rate 10000000 "SELECT ab_combine_agg(m) FROM mass")"
+row "ab_is_incident of 2 M points and a plane" "$(rate 2000000 "SELECT count(*) FROM point WHERE ab_is_incident(p, ab_plane(ARRAY[5, 5, 0], ARRAY[0, 0, 1], 0.002, 0.0001))")"
+row "ab_test_incident of the same" "$(rate 2000000 "SELECT count(*) FROM point, ab_test_incident(p, ab_plane(ARRAY[5, 5, 0], ARRAY[0, 0, 1], 0.002, 0.0001)) t WHERE t.p_value > 0.05")"

@@ -140,6 +140,16 @@ fn constructions_propagate_covariance() {
     agrees("line through points", &line.covariance, rng, |r| {
         line_error(&join::line_through(&a.drawn(r), &b.drawn(r)).unwrap(), &line)
     });
+    let reference = Vec3::new(1.0, 2.0, 0.5);
+    let (plucker, covariance) = line.plucker(&reference);
+    agrees("Plücker line", &covariance, rng, |r| line.drawn(r).plucker(&reference).0 - plucker);
+    let inside = |p: &Point, r: &mut ChaCha8Rng| {
+        let e = p.drawn(r).position - p.position;
+        let axes = p.ellipsoid(0.95).unwrap();
+        axes.iter().map(|(half, axis)| (e.dot(axis) / half).powi(2)).sum::<f64>() <= 1.0
+    };
+    let held = (0..DRAWS).filter(|_| inside(&a, rng)).count() as f64 / DRAWS as f64;
+    assert!((0.945..=0.955).contains(&held), "the 95 % ellipsoid held {held}");
     let plane = join::plane_through(&a, &b, &c).unwrap();
     agrees("plane through points", &plane.covariance, rng, |r| {
         plane_error(&join::plane_through(&a.drawn(r), &b.drawn(r), &c.drawn(r)).unwrap(), &plane)
