@@ -18,7 +18,8 @@ pub struct Beam {
 }
 
 /// A tile of beams from one origin, packed. See [`Header`] for the layout; the payload holds a bitmap of returns
-/// (only with [`Header::FLAG_NO_RETURNS`]) and the three columns of quantised offsets.
+/// (only with [`Header::FLAG_NO_RETURNS`]), the leading axis u8 (3: none), and the three columns of quantised offsets,
+/// the leading one first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
     header: Header,
@@ -55,9 +56,15 @@ impl Patch {
                 payload.push(eight.iter().enumerate().map(|(i, b)| u8::from(b.returned) << i).sum());
             }
         }
-        for axis in 0..3 {
-            let column: Vec<i32> = quanta.iter().map(|q| q[axis]).collect();
-            bitpack::pack(&column, &mut payload);
+        let lead = if kind & Header::FLAG_NO_ORIGIN == 0 { leading_axis(&quanta) } else { NO_LEAD };
+        payload.push(lead);
+        let column = |axis: u8| quanta.iter().map(|q| q[usize::from(axis)]).collect::<Vec<i32>>();
+        let leading = (lead != NO_LEAD).then(|| column(lead));
+        if let Some(leading) = &leading {
+            bitpack::pack(leading, None, &mut payload);
+        }
+        for axis in (0..3).filter(|&axis| axis != lead) {
+            bitpack::pack(&column(axis), leading.as_deref(), &mut payload);
         }
         let flags = kind | if all_returned { 0 } else { Header::FLAG_NO_RETURNS };
         let header = describe(flags, station, origin, step, quantum, &restore(&quanta, beams, quantum), &payload)?;
@@ -107,6 +114,15 @@ impl Patch {
         }
         Ok(Self { header, payload })
     }
+}
+
+/// No axis leads: points that were not seen along beams.
+const NO_LEAD: u8 = 3;
+
+/// The axis along which the beams reach farthest; noise along the beams shows there, and the other two follow.
+fn leading_axis(quanta: &[[i32; 3]]) -> u8 {
+    let reach = |axis: usize| quanta.iter().map(|q| i64::from(q[axis]).abs()).sum::<i64>();
+    (0..3u8).max_by_key(|&axis| reach(usize::from(axis))).unwrap_or(0)
 }
 
 fn check(origin: &Vec3, step: f64, quantum: f64, beams: &[Beam]) -> Result<()> {
@@ -242,7 +258,7 @@ fn decode(header: &Header, payload: &[u8]) -> Result<Vec<Beam>> {
     }
     let mut r = Reader::new(payload, TY);
     let bitmap = if header.flags & Header::FLAG_NO_RETURNS != 0 { Some(r.take(n.div_ceil(8))?) } else { None };
-    let columns = [bitpack::unpack(&mut r, n)?, bitpack::unpack(&mut r, n)?, bitpack::unpack(&mut r, n)?];
+    let columns = columns(&mut r, n)?;
     r.finish()?;
     let q = header.quantum;
     Ok((0..n)
@@ -251,6 +267,22 @@ fn decode(header: &Header, payload: &[u8]) -> Result<Vec<Beam>> {
             returned: bitmap.is_none_or(|b| b[i / 8] >> (i % 8) & 1 == 1),
         })
         .collect())
+}
+
+fn columns(r: &mut Reader, n: usize) -> Result<[Vec<i32>; 3]> {
+    let lead = r.u8()?;
+    if lead > NO_LEAD {
+        return Err(r.bad(format!("axis {lead} leads")));
+    }
+    let leading = if lead == NO_LEAD { None } else { Some(bitpack::unpack(r, n, None)?) };
+    let mut columns: [Vec<i32>; 3] = Default::default();
+    for axis in (0..3u8).filter(|&axis| axis != lead) {
+        columns[usize::from(axis)] = bitpack::unpack(r, n, leading.as_deref())?;
+    }
+    if let Some(leading) = leading {
+        columns[usize::from(lead)] = leading;
+    }
+    Ok(columns)
 }
 
 #[cfg(test)]
