@@ -28,9 +28,5 @@ pgrx::extension_sql_file!("../sql/install/07-gist.sql", name = "gist", requires 
 pgrx::extension_sql_file!("../sql/install/08-uncertain.sql", name = "uncertain", requires = ["gist"]);
 pgrx::extension_sql_file!("../sql/install/09-relations.sql", name = "relations", requires = ["uncertain"]);
 pgrx::extension_sql_file!("../sql/install/10-belief-calculus.sql", name = "calculus", requires = ["relations"]);
-pgrx::extension_sql_file!(
-    "../sql/install/11-uncertain-index.sql",
-    name = "uncertain_index",
-    requires = ["calculus"],
-    finalize
-);
+pgrx::extension_sql_file!("../sql/install/11-uncertain-index.sql", name = "uncertain_index", requires = ["calculus"]);
+pgrx::extension_sql_file!("../sql/install/12-patches.sql", name = "patches", requires = ["uncertain_index"], finalize);

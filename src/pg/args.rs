@@ -175,6 +175,11 @@ impl Args {
         array::triples(&dims, &values, what)
     }
 
+    /// An array of one of our variable-length types; NULL elements are passed over.
+    pub fn bytes_array(&self, i: usize, what: &'static str) -> Result<Vec<&[u8]>> {
+        unsafe { array::read_varlenas(self.datum(i), what) }
+    }
+
     fn f64_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<f64>)> {
         unsafe { array::read(self.datum(i), what) }
     }

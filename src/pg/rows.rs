@@ -20,6 +20,8 @@ pub enum Field {
     F64(f64),
     /// `text`.
     Text(String),
+    /// One of our variable-length types.
+    Bytes(Vec<u8>),
     /// The enum `ab_loa`.
     Loa(Loa),
     /// `float8[]` of three numbers.
@@ -45,6 +47,7 @@ impl Field {
             Self::I64(v) => pg_sys::Datum::from(*v),
             Self::F64(v) => pg_sys::Datum::from(v.to_bits() as usize),
             Self::Text(s) => varlena(s.as_bytes()),
+            Self::Bytes(b) => varlena(b),
             Self::Loa(l) => pg_sys::Datum::from(enum_value(column_type, l.name())),
             Self::Vector(v) => array::of_f64(v, &[3]),
             Self::Array(v, dims) => array::of_f64(v, dims),
@@ -70,13 +73,20 @@ fn enum_value(enum_type: pg_sys::Oid, label: &str) -> pg_sys::Oid {
     }
 }
 
-/// The row type that the call expects.
+/// The row type that the call expects; a set of plain values is one of one column.
 unsafe fn expected_row(fcinfo: pg_sys::FunctionCallInfo) -> pg_sys::TupleDesc {
     unsafe {
         let mut desc: pg_sys::TupleDesc = std::ptr::null_mut();
-        let class = pg_sys::get_call_result_type(fcinfo, std::ptr::null_mut(), &mut desc);
-        assert!(class == pg_sys::TypeFuncClass::TYPEFUNC_COMPOSITE, "the function returns no row type");
-        desc
+        let mut plain = pg_sys::InvalidOid;
+        match pg_sys::get_call_result_type(fcinfo, &mut plain, &mut desc) {
+            pg_sys::TypeFuncClass::TYPEFUNC_COMPOSITE => desc,
+            pg_sys::TypeFuncClass::TYPEFUNC_SCALAR => {
+                let desc = pg_sys::CreateTemplateTupleDesc(1);
+                pg_sys::TupleDescInitEntry(desc, 1, c"value".as_ptr(), plain, -1, 0);
+                desc
+            }
+            class => panic!("the function returns neither rows nor values but {class}"),
+        }
     }
 }
 

@@ -9,6 +9,7 @@ mod hex;
 mod loa;
 mod mass;
 mod overlap;
+mod patch;
 mod samples;
 mod scan;
 mod sensor;

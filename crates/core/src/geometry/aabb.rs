@@ -56,6 +56,11 @@ impl Aabb {
         (0..3).all(|i| self.min[i] <= o.max[i] && o.min[i] <= self.max[i])
     }
 
+    /// Whether a point lies inside (the border counts).
+    pub fn holds(&self, p: &Vec3) -> bool {
+        (0..3).all(|i| (self.min[i]..=self.max[i]).contains(&p[i]))
+    }
+
     /// Whether `o` lies within this box (touching counts).
     pub fn contains(&self, o: &Self) -> bool {
         (0..3).all(|i| self.min[i] <= o.min[i] && o.max[i] <= self.max[i])

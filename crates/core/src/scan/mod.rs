@@ -7,6 +7,7 @@
 
 mod bitpack;
 mod cone;
+mod edit;
 mod header;
 mod patch;
 mod tile;
