@@ -260,7 +260,7 @@ CREATE AGGREGATE ab_line_agg(point ab_point) (
     SFUNC = ab_points_accum, STYPE = internal, SSPACE = 100000,
     COMBINEFUNC = ab_points_combine, SERIALFUNC = ab_points_serial, DESERIALFUNC = ab_points_deserial,
     FINALFUNC = ab_line_agg_final, PARALLEL = SAFE);
-COMMENT ON AGGREGATE ab_line_agg(ab_point) IS 'The line that fits the points best, by maximum likelihood with their own covariances';
+COMMENT ON AGGREGATE ab_line_agg(ab_point) IS 'The line that fits the points best, by maximum likelihood with their own covariances. Points without any give it by their residuals, used as if known: few points make it too sure';
 
 CREATE FUNCTION ab_line(points ab_point[]) RETURNS ab_line
     LANGUAGE sql IMMUTABLE PARALLEL SAFE STRICT
@@ -271,7 +271,7 @@ CREATE AGGREGATE ab_plane_agg(point ab_point) (
     SFUNC = ab_points_accum, STYPE = internal, SSPACE = 100000,
     COMBINEFUNC = ab_points_combine, SERIALFUNC = ab_points_serial, DESERIALFUNC = ab_points_deserial,
     FINALFUNC = ab_plane_agg_final, PARALLEL = SAFE);
-COMMENT ON AGGREGATE ab_plane_agg(ab_point) IS 'The plane that fits the points best, by maximum likelihood with their own covariances';
+COMMENT ON AGGREGATE ab_plane_agg(ab_point) IS 'The plane that fits the points best, by maximum likelihood with their own covariances. Points without any give it by their residuals, used as if known: few points make it too sure';
 
 CREATE FUNCTION ab_plane(points ab_point[]) RETURNS ab_plane
     LANGUAGE sql IMMUTABLE PARALLEL SAFE STRICT

@@ -68,7 +68,7 @@ CREATE AGGREGATE ab_combine_agg(mass ab_mass, rule text) (
     SFUNC = ab_combine_accum, STYPE = internal, SSPACE = 200,
     COMBINEFUNC = ab_combine_merge, SERIALFUNC = ab_combine_serial, DESERIALFUNC = ab_combine_deserial,
     FINALFUNC = ab_combine_final, PARALLEL = SAFE);
-COMMENT ON AGGREGATE ab_combine_agg(ab_mass, text) IS 'Any number of sources by a rule that does not depend on their order: all but pcr6, which is refused; for it combine two by two with ab_combine, in an order you state';
+COMMENT ON AGGREGATE ab_combine_agg(ab_mass, text) IS 'Any number of sources by a rule, all at once and in any order: all rules but pcr6, which needs every combination of its sources; for it combine two by two with ab_combine, in an order you state. A row with a NULL adds nothing';
 
 CREATE AGGREGATE ab_combine_agg(mass ab_mass, rule text, reliability float8) (
     SFUNC = ab_combine_accum, STYPE = internal, SSPACE = 200,

@@ -12,11 +12,15 @@ CREATE FUNCTION ab_hash(point ab_point) RETURNS integer
     AS 'MODULE_PATHNAME', 'ab_point_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_hash(ab_point) IS 'Hash of the numbers';
 
+CREATE FUNCTION ab_hash(point ab_point, seed bigint) RETURNS bigint
+    AS 'MODULE_PATHNAME', 'ab_point_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_point, bigint) IS 'Hash of the numbers with a seed';
+
 CREATE OPERATOR = (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES, MERGES);
 COMMENT ON OPERATOR = (ab_point, ab_point) IS 'Same numbers, covariance included';
 CREATE OPERATOR <> (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_point, ab_point) IS 'Not the same numbers';
-CREATE OPERATOR CLASS ab_point_hash_ops DEFAULT FOR TYPE ab_point USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_point);
+CREATE OPERATOR CLASS ab_point_hash_ops DEFAULT FOR TYPE ab_point USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_point), FUNCTION 2 ab_hash(ab_point, bigint);
 COMMENT ON OPERATOR CLASS ab_point_hash_ops USING hash IS 'Joins and groups by equal numbers';
 
 CREATE FUNCTION ab_equal(a ab_line, b ab_line) RETURNS boolean
@@ -31,11 +35,15 @@ CREATE FUNCTION ab_hash(line ab_line) RETURNS integer
     AS 'MODULE_PATHNAME', 'ab_line_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_hash(ab_line) IS 'Hash of the numbers';
 
+CREATE FUNCTION ab_hash(line ab_line, seed bigint) RETURNS bigint
+    AS 'MODULE_PATHNAME', 'ab_line_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_line, bigint) IS 'Hash of the numbers with a seed';
+
 CREATE OPERATOR = (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
 COMMENT ON OPERATOR = (ab_line, ab_line) IS 'Same numbers, covariance included';
 CREATE OPERATOR <> (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_line, ab_line) IS 'Not the same numbers';
-CREATE OPERATOR CLASS ab_line_hash_ops DEFAULT FOR TYPE ab_line USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_line);
+CREATE OPERATOR CLASS ab_line_hash_ops DEFAULT FOR TYPE ab_line USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_line), FUNCTION 2 ab_hash(ab_line, bigint);
 COMMENT ON OPERATOR CLASS ab_line_hash_ops USING hash IS 'Joins and groups by equal numbers';
 
 CREATE FUNCTION ab_equal(a ab_plane, b ab_plane) RETURNS boolean
@@ -50,11 +58,15 @@ CREATE FUNCTION ab_hash(plane ab_plane) RETURNS integer
     AS 'MODULE_PATHNAME', 'ab_plane_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_hash(ab_plane) IS 'Hash of the numbers';
 
+CREATE FUNCTION ab_hash(plane ab_plane, seed bigint) RETURNS bigint
+    AS 'MODULE_PATHNAME', 'ab_plane_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_plane, bigint) IS 'Hash of the numbers with a seed';
+
 CREATE OPERATOR = (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
 COMMENT ON OPERATOR = (ab_plane, ab_plane) IS 'Same numbers, covariance included';
 CREATE OPERATOR <> (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_plane, ab_plane) IS 'Not the same numbers';
-CREATE OPERATOR CLASS ab_plane_hash_ops DEFAULT FOR TYPE ab_plane USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_plane);
+CREATE OPERATOR CLASS ab_plane_hash_ops DEFAULT FOR TYPE ab_plane USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_plane), FUNCTION 2 ab_hash(ab_plane, bigint);
 COMMENT ON OPERATOR CLASS ab_plane_hash_ops USING hash IS 'Joins and groups by equal numbers';
 
 CREATE FUNCTION ab_equal(a ab_pose, b ab_pose) RETURNS boolean
@@ -69,11 +81,15 @@ CREATE FUNCTION ab_hash(pose ab_pose) RETURNS integer
     AS 'MODULE_PATHNAME', 'ab_pose_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_hash(ab_pose) IS 'Hash of the numbers';
 
+CREATE FUNCTION ab_hash(pose ab_pose, seed bigint) RETURNS bigint
+    AS 'MODULE_PATHNAME', 'ab_pose_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_pose, bigint) IS 'Hash of the numbers with a seed';
+
 CREATE OPERATOR = (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
 COMMENT ON OPERATOR = (ab_pose, ab_pose) IS 'Same numbers, covariance included';
 CREATE OPERATOR <> (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_pose, ab_pose) IS 'Not the same numbers';
-CREATE OPERATOR CLASS ab_pose_hash_ops DEFAULT FOR TYPE ab_pose USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_pose);
+CREATE OPERATOR CLASS ab_pose_hash_ops DEFAULT FOR TYPE ab_pose USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_pose), FUNCTION 2 ab_hash(ab_pose, bigint);
 COMMENT ON OPERATOR CLASS ab_pose_hash_ops USING hash IS 'Joins and groups by equal numbers';
 
 CREATE FUNCTION ab_differ(a ab_mass, b ab_mass) RETURNS boolean
@@ -84,11 +100,15 @@ CREATE FUNCTION ab_hash(mass ab_mass) RETURNS integer
     AS 'MODULE_PATHNAME', 'ab_mass_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_hash(ab_mass) IS 'Hash of the numbers';
 
+CREATE FUNCTION ab_hash(mass ab_mass, seed bigint) RETURNS bigint
+    AS 'MODULE_PATHNAME', 'ab_mass_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_mass, bigint) IS 'Hash of the numbers with a seed';
+
 CREATE OPERATOR = (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
-COMMENT ON OPERATOR = (ab_mass, ab_mass) IS 'Same numbers, covariance included';
+COMMENT ON OPERATOR = (ab_mass, ab_mass) IS 'Same numbers';
 CREATE OPERATOR <> (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_mass, ab_mass) IS 'Not the same numbers';
-CREATE OPERATOR CLASS ab_mass_hash_ops DEFAULT FOR TYPE ab_mass USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_mass);
+CREATE OPERATOR CLASS ab_mass_hash_ops DEFAULT FOR TYPE ab_mass USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_mass), FUNCTION 2 ab_hash(ab_mass, bigint);
 COMMENT ON OPERATOR CLASS ab_mass_hash_ops USING hash IS 'Joins and groups by equal numbers';
 
 CREATE FUNCTION ab_lt(a ab_point, b ab_point) RETURNS boolean
@@ -223,4 +243,4 @@ CREATE AGGREGATE ab_evidence_agg(solid ab_solid, point ab_point, cameras float8[
     COMBINEFUNC = ab_evidence_combine, SERIALFUNC = ab_evidence_serial, DESERIALFUNC = ab_evidence_deserial,
     FINALFUNC = ab_evidence_final, PARALLEL = SAFE);
 COMMENT ON AGGREGATE ab_evidence_agg(ab_solid, ab_point, float8[], ab_evidence_model) IS
-    'What tie points say about one solid: a surface at each point, once, with the point''s own covariance, and empty space along the rays from its cameras (n x 3, metres). Choose spacing near the distance of the points. A NULL point keeps the object';
+    'What tie points say about one solid: a surface at each point, once, with the point''s own covariance, and empty space along the rays from its cameras (n x 3, metres). Choose spacing near the distance of the points; join the objects that the rays may have pierced too, not only those near the points. The model meyer2022 takes every ray as a source of its own, without covariance. A NULL point keeps the object';

@@ -1,13 +1,13 @@
 //! `ab_line_agg` and `ab_plane_agg`: best fits through points.
 
 use asbuilt_core::uncertain::{Point, Stored, fit};
-use asbuilt_core::{Error, Result};
+use asbuilt_core::{Error, Interrupt, Result};
 
 use crate::pg::{AggState, Args, Ret, aggregate_state, deserialised_state, interrupt, sql_functions};
 use crate::types::uncertain::{ret, value};
 
 /// Points one fit takes: they are in memory, 96 bytes each.
-const MAX_POINTS: usize = 5_000_000;
+const MAX_POINTS: usize = 2_000_000;
 /// Bytes of one point between workers.
 const POINT_LEN: usize = 72;
 
@@ -23,13 +23,14 @@ fn check(points: &[Point]) -> Result<()> {
     Err(Error::Limit { what: "the number of points of one fit", value, limit })
 }
 
-/// The fitted points; `None` where there is none.
-fn points(args: &Args) -> Result<Option<Vec<Point>>> {
+/// What `fit` makes of the points; NULL where there is none.
+fn fitted<T: Stored<N> + Copy, const N: usize>(args: &Args, fit: fn(&[Point], Interrupt) -> Result<T>) -> Result<Ret> {
     if args.is_null(0) {
-        return Ok(None);
+        return Ok(Ret::Null);
     }
-    let points = state(args, 0)?.get().clone();
-    Ok(if points.is_empty() { None } else { Some(points) })
+    let mut state = state(args, 0)?;
+    let points = state.get();
+    if points.is_empty() { Ok(Ret::Null) } else { ret(&fit(points, &interrupt)?) }
 }
 
 sql_functions! {
@@ -70,11 +71,7 @@ sql_functions! {
         Ok(deserialised_state(rows.iter().map(point).collect::<Vec<Point>>()).ret())
     }
 
-    fn ab_line_fit(args) {
-        points(args)?.map_or(Ok(Ret::Null), |p| ret(&fit::line(&p, &interrupt)?))
-    }
+    fn ab_line_fit(args) { fitted(args, fit::line) }
 
-    fn ab_plane_fit(args) {
-        points(args)?.map_or(Ok(Ret::Null), |p| ret(&fit::plane(&p, &interrupt)?))
-    }
+    fn ab_plane_fit(args) { fitted(args, fit::plane) }
 }

@@ -20,15 +20,15 @@ sql_functions! {
         Ok(state.ret())
     }
 
-    /// transition(state, mass, rule[, reliability])
+    /// transition(state, mass, rule[, reliability]): a NULL among them adds nothing.
     fn ab_combine_accum_by(args) {
-        let rule = if args.is_null(2) { Rule::Dempster } else { Rule::parse(&args.text(2))? };
-        let mut state = state(args, 0, rule)?;
-        if args.is_null(1) {
-            return Ok(state.ret());
+        if (1..args.len()).any(|i| args.is_null(i)) {
+            return Ok(if args.is_null(0) { Ret::Null } else { state(args, 0, Rule::Dempster)?.ret() });
         }
+        let rule = Rule::parse(&args.text(2))?;
+        let mut state = state(args, 0, rule)?;
         let mut mass = mass_arg(args, 1);
-        if args.len() > 3 && !args.is_null(3) {
+        if args.len() > 3 {
             let reliability = args.f64(3);
             if !(0.0..=1.0).contains(&reliability) {
                 return Err(asbuilt_core::Error::argument("the reliability", "between 0 and 1", reliability));

@@ -146,7 +146,13 @@ impl Error {
 
     /// An [`Error::Argument`].
     pub fn argument(what: &'static str, expected: &'static str, value: impl ToString) -> Self {
-        Self::Argument { what, expected, value: value.to_string() }
+        let value = value.to_string();
+        // A number of three hundred digits is better told by its size.
+        let value = match value.parse::<f64>() {
+            Ok(x) if value.len() > 24 => format!("{x:e}"),
+            _ => value,
+        };
+        Self::Argument { what, expected, value }
     }
 
     /// An [`Error::Syntax`] that quotes at most 80 characters.

@@ -3,7 +3,7 @@
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::uncertain::test::{self, Test};
-use asbuilt_core::uncertain::{Line, Matrix7, Plane, Point, Pose, distance, fit, foot, intersect, join};
+use asbuilt_core::uncertain::{Line, Matrix7, Plane, Point, Pose, Stored, distance, fit, foot, intersect, join};
 use nalgebra::{DMatrix, Matrix3, Matrix4, Matrix6, SMatrix, SVector, SymmetricEigen, UnitQuaternion, Vector4};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -487,6 +487,57 @@ fn exact_objects_contradict_or_agree() {
     assert!(t.dof == 1 && (t.statistic - 4.0).abs() < 1e-9, "{t:?}");
     let t = test::same_point(&p, &Point::isotropic(Vec3::y() * 0.001, 0.0).unwrap());
     assert!(t.statistic.is_infinite());
+}
+
+/// What a construction gives is a value that can be written and read again, however large its lever.
+#[test]
+fn results_can_be_read_again() {
+    let rng = &mut ChaCha8Rng::seed_from_u64(5);
+    let mut again = 0;
+    for _ in 0..2000 {
+        let mut place = |size: f64| Vec3::from_fn(|_, _| rng.random_range(0.0..size));
+        let (a, b, c, t) = (place(20.0), place(20.0), place(20.0), place(20.0));
+        let exact = |p: Vec3| Point::isotropic(FAR + p, 0.0).unwrap();
+        let third = Point::isotropic(FAR + c, 0.01).unwrap();
+        let Ok(plane) = join::plane_through(&exact(a), &exact(b), &third) else { continue };
+        let q = UnitQuaternion::from_scaled_axis(t);
+        let pose = Pose::new([q.w, q.i, q.j, q.k], FAR + t, 1.0, &Pose::diagonal(1e-3, 0.0, 0.0).unwrap()).unwrap();
+        let line = join::line_through(&exact(a), &third).unwrap();
+        let back = pose.inverse().unwrap();
+        fn reread<T: Stored<N>, const N: usize>(x: &T) {
+            assert_eq!(T::from_text(&x.to_text()).unwrap().to_numbers(), x.to_numbers());
+        }
+        reread(&plane);
+        reread(&back.inverse().unwrap());
+        reread(&back.point(&exact(a)).unwrap());
+        reread(&back.line(&line).unwrap());
+        reread(&back.plane(&plane).unwrap());
+        again += 1;
+    }
+    assert!(again > 1900, "{again}");
+}
+
+#[test]
+fn what_is_no_covariance_is_refused() {
+    for bad in [
+        [[-9e-10, 0.0, 0.0], [0.0, 1e-6, 0.0], [0.0, 0.0, 1e-6]],
+        [[0.0, 9e-10, 0.0], [9e-10, 0.0, 0.0], [0.0, 0.0, 0.0]],
+        [[0.0, 2e-8, 0.0], [2e-8, 1e-6, 0.0], [0.0, 0.0, 0.0]],
+        [[1e-300, 1e300, 0.0], [1e300, 1e-300, 0.0], [0.0, 0.0, 0.0]],
+        [[1.0, f64::INFINITY, 0.0], [f64::INFINITY, 1.0, 0.0], [0.0, 0.0, 0.0]],
+    ] {
+        let m = Matrix3::from_fn(|i, j| bad[i][j]);
+        assert!(Point::new(Vec3::zeros(), &m).is_err(), "{m}");
+    }
+    let tiny = Matrix3::identity() * 1e-300;
+    assert!(Point::new(Vec3::zeros(), &tiny).is_ok());
+    let apart =
+        test::same_point(&Point::new(Vec3::zeros(), &tiny).unwrap(), &Point::new(Vec3::x() * 1e5, &tiny).unwrap());
+    assert!(apart.p_value == 0.0 && !apart.holds(0.05), "{apart:?}");
+    // Fewer digits of a unit quaternion or normal are made a unit again.
+    let q = Pose::from_text("(0.7071068,0,0,0.7071068,0,0,0,1)").unwrap();
+    assert!((q.rotation.quaternion().norm() - 1.0).abs() < 1e-15);
+    assert!(Pose::from_text("(0.7,0,0,0.7,0,0,0,1)").is_err());
 }
 
 #[test]

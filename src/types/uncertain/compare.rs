@@ -15,10 +15,20 @@ fn order<const N: usize>(args: &Args) -> Ordering {
 }
 
 fn hash<const N: usize>(args: &Args) -> Ret {
-    // Kept in hash indexes: it must never change.
-    let mut crc = crc32fast::Hasher::new();
+    Ret::I32(checksum::<N>(args, 0) as i32)
+}
+
+/// The same with a seed, in 64 bits; without one its low half is the plain hash.
+fn hash_extended<const N: usize>(args: &Args) -> Ret {
+    let wide = u64::from(checksum::<N>(args, 0x9e37_79b9)) << 32 | u64::from(checksum::<N>(args, 0));
+    Ret::I64((wide ^ (args.i64(1) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)) as i64)
+}
+
+/// Kept in hash indexes and hash partitions: it must never change.
+fn checksum<const N: usize>(args: &Args, start: u32) -> u32 {
+    let mut crc = crc32fast::Hasher::new_with_initial(start);
     args.numbers::<N>(0).iter().for_each(|x| crc.update(&(x + 0.0).to_le_bytes()));
-    Ret::I32(crc.finalize() as i32)
+    crc.finalize()
 }
 
 sql_functions! {
@@ -30,19 +40,24 @@ sql_functions! {
     fn ab_point_gt(args) { Ok(Ret::Bool(order::<9>(args).is_gt())) }
     fn ab_point_compare(args) { Ok(Ret::I32(order::<9>(args) as i32)) }
     fn ab_point_hash(args) { Ok(hash::<9>(args)) }
+    fn ab_point_hash_extended(args) { Ok(hash_extended::<9>(args)) }
 
     fn ab_line_eq(args) { Ok(Ret::Bool(order::<27>(args).is_eq())) }
     fn ab_line_ne(args) { Ok(Ret::Bool(order::<27>(args).is_ne())) }
     fn ab_line_hash(args) { Ok(hash::<27>(args)) }
+    fn ab_line_hash_extended(args) { Ok(hash_extended::<27>(args)) }
 
     fn ab_plane_eq(args) { Ok(Ret::Bool(order::<16>(args).is_eq())) }
     fn ab_plane_ne(args) { Ok(Ret::Bool(order::<16>(args).is_ne())) }
     fn ab_plane_hash(args) { Ok(hash::<16>(args)) }
+    fn ab_plane_hash_extended(args) { Ok(hash_extended::<16>(args)) }
 
     fn ab_pose_eq(args) { Ok(Ret::Bool(order::<36>(args).is_eq())) }
     fn ab_pose_ne(args) { Ok(Ret::Bool(order::<36>(args).is_ne())) }
     fn ab_pose_hash(args) { Ok(hash::<36>(args)) }
+    fn ab_pose_hash_extended(args) { Ok(hash_extended::<36>(args)) }
 
     fn ab_mass_ne(args) { Ok(Ret::Bool(order::<3>(args).is_ne())) }
     fn ab_mass_hash(args) { Ok(hash::<3>(args)) }
+    fn ab_mass_hash_extended(args) { Ok(hash_extended::<3>(args)) }
 }

@@ -10,12 +10,12 @@ pub fn value<T: Stored<N>, const N: usize>(args: &Args, i: usize) -> T {
     T::from_stored(&args.numbers::<N>(i))
 }
 
-/// Returns a value.
-pub fn ret<T: Stored<N>, const N: usize>(x: &T) -> Result<Ret> {
-    Ok(Ret::Fixed(x.to_numbers().iter().flat_map(|c| c.to_ne_bytes()).collect()))
+/// Returns a value whose numbers are in range; whatever is stored can be read again.
+pub fn ret<T: Stored<N> + Copy, const N: usize>(x: &T) -> Result<Ret> {
+    Ok(Ret::Fixed(x.in_range()?.to_numbers().iter().flat_map(|c| c.to_ne_bytes()).collect()))
 }
 
-fn read<T: Stored<N>, const N: usize>(args: &Args) -> Result<Ret> {
+fn read<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<Ret> {
     ret(&T::from_text(&args.cstring(0))?)
 }
 
@@ -23,7 +23,7 @@ fn shown<T: Stored<N>, const N: usize>(args: &Args) -> Result<Ret> {
     Ok(Ret::CString(value::<T, N>(args, 0).to_text()))
 }
 
-fn received<T: Stored<N>, const N: usize>(args: &Args) -> Result<Ret> {
+fn received<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<Ret> {
     let bytes = args.message(0);
     let (words, rest) = bytes.as_chunks::<8>();
     match <&[[u8; 8]; N]>::try_from(words) {
@@ -44,7 +44,7 @@ fn listed<const N: usize>(args: &Args) -> Result<Ret> {
 }
 
 /// From the coordinates alone, which are then exact, or from all numbers.
-fn from_list<T: Stored<N>, const N: usize>(args: &Args) -> Result<Ret> {
+fn from_list<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<Ret> {
     let list = args.f64_list(0, "the numbers of the value")?;
     let mut numbers = [0.0; N];
     if list.len() != N && list.len() != T::COORDINATES {

@@ -35,6 +35,9 @@ sql_functions! {
 
     fn ab_line_plucker(args) {
         let reference = Vec3::from(args.vector::<3>(1, "the reference point")?);
+        if let Some(c) = reference.iter().find(|c| !c.is_finite()) {
+            return Err(asbuilt_core::Error::argument("the reference point", "finite", c));
+        }
         let (l, covariance) = line(args, 0).plucker(&reference);
         Ok(Ret::Row(vec![
             Field::Array(l.iter().copied().collect(), vec![6]),

@@ -94,3 +94,15 @@ RESET enable_seqscan; RESET enable_mergejoin; RESET enable_hashjoin;
 SELECT ab_evidence_agg(solid, ab_point(0,0,0), '{{1,2}}', ab_evidence_model()) FROM wall WHERE id = 1;
 SELECT ab_evidence_agg(solid, ab_point(0,0,0), '{{1,2,nan}}', ab_evidence_model()) FROM wall WHERE id = 1;
 DROP TABLE wall, tie;
+
+-- partitions and groups by hash; what a construction stores can be dumped and read again
+CREATE TABLE part (p ab_point, m ab_mass) PARTITION BY HASH (p);
+CREATE TABLE part0 PARTITION OF part FOR VALUES WITH (MODULUS 2, REMAINDER 0);
+CREATE TABLE part1 PARTITION OF part FOR VALUES WITH (MODULUS 2, REMAINDER 1);
+INSERT INTO part SELECT ab_point(i % 10, 0, 0), ab_mass((i % 3) / 10.0, 0.5) FROM generate_series(1, 90) i;
+SELECT (SELECT count(*) FROM part0) > 0 AND (SELECT count(*) FROM part1) > 0 AS both, count(*) FROM (SELECT p, m FROM part GROUP BY p, m) x;
+DROP TABLE part;
+SELECT q = q::text::ab_pose AS reads_again FROM (SELECT ab_inverse(ab_inverse(ab_pose(ARRAY[600000, 5300000, 500], ARRAY[0.9, 0.1, 0.2, 0.3], sd_rotation => 1e-3))) q) x;
+SELECT ab_foot(ab_point(1e9, 1e9, -1e9), ab_plane(ARRAY[-1e9, -1e9, 1e9], ARRAY[1, -0.6, 0.6]));
+SELECT ab_plane(ab_point(0, 0, 0, 1e150), ab_point(1, 0, 0, 1e150), ab_point(0, 1, 0, 1e150));
+SELECT ab_point(0, 0, 0, 1e200);

@@ -36,10 +36,15 @@ pub fn convert_belief(belief: f64, sigma_from: f64, sigma_to: f64) -> Result<f64
     check_belief(belief)?;
     let ratio =
         positive("the standard deviation asked for", sigma_to)? / positive("the standard deviation", sigma_from)?;
-    if belief >= 1.0 {
-        return Ok(1.0);
-    }
-    Ok(2.0 * cdf(quantile(0.5 * (1.0 + belief)) * ratio) - 1.0)
+    let z = quantile(0.5 * (1.0 + belief)) * ratio;
+    // Certainty stays certain however small the ratio, and 0 × ∞ is 0.
+    Ok(if belief >= 1.0 {
+        1.0
+    } else if z.is_nan() {
+        0.0
+    } else {
+        2.0 * cdf(z) - 1.0
+    })
 }
 
 /// The linear form (M 5.24), for comparison: bel·(2Φ(σ_to/σ_from)−1)/`divisor`, capped at 1. M divides by 2Φ(1)−1 in

@@ -74,8 +74,8 @@ impl Mass {
 
     /// The mass discounted by the source's reliability α in [0, 1] (Shafer): the rest goes to unknown.
     pub fn discounted(&self, alpha: f64) -> Self {
-        let (occupied, empty) = (alpha * self.occupied, alpha * self.empty);
-        Self { occupied, empty, unknown: 1.0 - occupied - empty }
+        let unknown = (alpha * self.unknown + (1.0 - alpha)).clamp(0.0, 1.0);
+        Self { occupied: alpha * self.occupied, empty: alpha * self.empty, unknown }
     }
 
     /// Dempster's rule (M 5.14-5.18) for distinct sources; [`Error::TotalConflict`] when they exclude each other.

@@ -25,10 +25,13 @@ impl Criterion {
         }
     }
 
+    /// Its value with contradiction divided out, so that all three share a scale.
     fn of(self, m: &Mass, h: Hypothesis) -> f64 {
+        let whole = 1.0 - m.contradiction();
         match self {
-            Self::Belief => m.belief(h),
-            Self::Plausibility => m.plausibility(h),
+            _ if whole <= 0.0 => 0.0,
+            Self::Belief => m.belief(h) / whole,
+            Self::Plausibility => m.plausibility(h) / whole,
             Self::Pignistic => m.pignistic(h).unwrap_or(0.0),
         }
     }

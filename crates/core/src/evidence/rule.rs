@@ -190,6 +190,12 @@ mod tests {
                 }
             }
             prop_assert!(off(&Rule::Cautious.combine(&a, &a).unwrap(), &a) < 1e-12, "cautious is idempotent");
+            for m in [a, Mass::new(a.occupied, 1.0 - a.occupied).unwrap(), Rule::Conjunctive.combine(&a, &b).unwrap()] {
+                prop_assert_eq!(m.discounted(1.0), m);
+                let half = m.discounted(0.5);
+                prop_assert!(half.unknown >= 0.0 && (half.contradiction() - 0.5 * m.contradiction()).abs() < 2e-9);
+                prop_assert_eq!(Mass::from_text(&half.to_text()).unwrap(), half);
+            }
         }
     }
 

@@ -6,9 +6,14 @@ use crate::error::{Error, Result};
 use crate::num::chi_square;
 
 /// A correlation eigenvalue below this counts as zero: rank is judged free of units.
-const RANK_TOLERANCE: f64 = 1e-10;
+const RANK_TOLERANCE: f64 = 1e-13;
 /// Deviation that a direction without any variance may show, metres or radians: rounding of projected coordinates.
-const EXACT_TOLERANCE: f64 = 2e-9;
+const EXACT_TOLERANCE: f64 = 1e-8;
+/// A scaled eigenvalue above the negative of this is none but for rounding.
+const ROUNDING: f64 = 1e-8;
+/// In the check for a covariance a variance counts for no less than this part of the largest entry: below it stands what
+/// rounding left of propagation.
+const LEAST_SHARE: f64 = 1e-6;
 
 /// Checks that `m` is finite, symmetric and positive semi-definite (to rounding) and returns it exactly symmetric.
 pub fn checked<const N: usize>(what: &'static str, m: &SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>> {
@@ -20,12 +25,36 @@ pub fn checked<const N: usize>(what: &'static str, m: &SMatrix<f64, N, N>) -> Re
         return Err(Error::Covariance { what, reason: format!("not symmetric: two entries differ by {asymmetry:e}") });
     }
     let symmetric = (m + m.transpose()) * 0.5;
-    if smallest_eigenvalue(&correlation(&symmetric).0) < -1e-9 {
+    if smallest_eigenvalue(&divided(&symmetric, &scale_of(&symmetric))) < -ROUNDING {
         let smallest = smallest_eigenvalue(&symmetric);
         let reason = format!("not positive semi-definite: its smallest eigenvalue is {smallest:e}");
         return Err(Error::Covariance { what, reason });
     }
     Ok(symmetric)
+}
+
+/// The same matrix, or where cancellation left it with negative eigenvalues (an error with a lever of a whole projected
+/// system taken back) the nearest one without, in the scaled sense.
+pub fn settled<const N: usize>(m: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
+    let scale = scale_of(m);
+    if m.iter().any(|x| !x.is_finite()) {
+        return *m;
+    }
+    let eigen = eigen(&divided(m, &scale));
+    if eigen.eigenvalues.min() >= -0.1 * ROUNDING {
+        return *m;
+    }
+    let clamped = &eigen.eigenvectors
+        * DMatrix::from_diagonal(&eigen.eigenvalues.map(|v| v.max(0.0)))
+        * eigen.eigenvectors.transpose();
+    let back = SMatrix::<f64, N, N>::from_fn(|i, j| clamped[(i, j)] * scale[i] * scale[j]);
+    (back + back.transpose()) * 0.5
+}
+
+/// Standard deviations, none less than the share that rounding leaves of the largest.
+fn scale_of<const N: usize>(m: &SMatrix<f64, N, N>) -> SVector<f64, N> {
+    let floor = (LEAST_SHARE * m.amax()).max(f64::MIN_POSITIVE);
+    SVector::from_fn(|i, _| m[(i, i)].max(floor).sqrt())
 }
 
 fn smallest_eigenvalue<const N: usize>(m: &SMatrix<f64, N, N>) -> f64 {
@@ -40,7 +69,11 @@ fn eigen<const N: usize>(m: &SMatrix<f64, N, N>) -> SymmetricEigen<f64, Dyn> {
 /// signs of the eigenvalues are the same, but units no longer matter.
 fn correlation<const N: usize>(m: &SMatrix<f64, N, N>) -> (SMatrix<f64, N, N>, SVector<f64, N>) {
     let scale = SVector::<f64, N>::from_fn(|i, _| if m[(i, i)] > 0.0 { m[(i, i)].sqrt() } else { 1.0 });
-    (SMatrix::from_fn(|i, j| m[(i, j)] / (scale[i] * scale[j])), scale)
+    (divided(m, &scale), scale)
+}
+
+fn divided<const N: usize>(m: &SMatrix<f64, N, N>, scale: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+    SMatrix::from_fn(|i, j| m[(i, j)] / scale[i] / scale[j])
 }
 
 /// J Σ Jᵀ, exactly symmetric.

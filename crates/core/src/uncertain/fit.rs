@@ -103,7 +103,7 @@ pub fn plane(points: &[Point], interrupt: Interrupt) -> Result<Plane> {
     j[(3, 2)] = 1.0;
     let covariance = super::covariance::propagate(&j, &inverse);
     // With the normal, tilt and offset change their signs together: the covariance stays as it is.
-    Plane::centred(c, if n[n.iamax()] > 0.0 { n } else { -n }, &covariance).checked()
+    Plane::centred(c, if n[n.iamax()] > 0.0 { n } else { -n }, &covariance).built()
 }
 
 /// The line that fits best, from the foot of the first extreme point to that of the last, in the points' order.
@@ -175,7 +175,7 @@ fn between_extremes(points: &[Point], c: &Vec3, d: &Vec3, inverse: &Matrix4<f64>
         }
     }
     let covariance = super::covariance::propagate(&j, &joint);
-    Line { start: c + d * place(first), end: c + d * place(last), covariance }.checked()
+    Line { start: c + d * place(first), end: c + d * place(last), covariance }.built()
 }
 
 /// Derivative of a point's two residuals across the line by (offsets, tilts), and their weight.

@@ -42,7 +42,7 @@ pub fn planes(p: &Plane, q: &Plane) -> Result<Line> {
     let mut joint = SMatrix::<f64, 8, 8>::zeros();
     joint.fixed_view_mut::<4, 4>(0, 0).copy_from(&p.covariance);
     joint.fixed_view_mut::<4, 4>(4, 4).copy_from(&q.covariance);
-    Line { start, end, covariance: propagate(&j, &joint) }.checked()
+    Line { start, end, covariance: propagate(&j, &joint) }.built()
 }
 
 /// The point in which three planes meet.
@@ -60,7 +60,7 @@ pub fn three_planes(planes: [&Plane; 3]) -> Result<Point> {
         let column = inverse.column(k);
         covariance += column * column.transpose() * plane.height_variance(&position);
     }
-    Point { position, covariance }.checked()
+    Point { position, covariance }.built()
 }
 
 /// The point in which a line, endless, meets a plane.
@@ -77,5 +77,5 @@ pub fn line_plane(line: &Line, plane: &Plane) -> Result<Point> {
     let by_line = slide * Line::jacobian_at(t);
     let by_plane = -span / slope * plane.height_by_plane(&position).transpose();
     let covariance = propagate(&by_line, &line.covariance) + propagate(&by_plane, &plane.covariance);
-    Point { position, covariance }.checked()
+    Point { position, covariance }.built()
 }

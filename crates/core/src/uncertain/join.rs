@@ -17,7 +17,7 @@ pub fn line_through(a: &Point, b: &Point) -> Result<Line> {
     let mut covariance = Matrix6::zeros();
     covariance.fixed_view_mut::<3, 3>(0, 0).copy_from(&a.covariance);
     covariance.fixed_view_mut::<3, 3>(3, 3).copy_from(&b.covariance);
-    Line { start: a.position, end: b.position, covariance }.checked()
+    Line { start: a.position, end: b.position, covariance }.with_length()?.built()
 }
 
 /// The plane through three points, its normal by the right hand from the first to the third.
@@ -54,7 +54,7 @@ fn through_three([a, b, c]: [Vec3; 3], joint: &SMatrix<f64, 9, 9>) -> Result<Pla
         j.fixed_view_mut::<1, 3>(3, 3 * i).copy_from(&(normal.transpose() / 3.0));
     }
     let centre = a + (ab + ac) / 3.0;
-    Ok(Plane::centred(centre, normal, &propagate(&j, joint)))
+    Plane::centred(centre, normal, &propagate(&j, joint)).built()
 }
 
 /// The point halfway between two.

@@ -27,6 +27,15 @@ impl Line {
         Self { start, end, covariance }.checked()
     }
 
+    /// The same line, unless its ends are one place.
+    pub(super) fn with_length(self) -> Result<Self> {
+        if self.span().norm() > join::LEAST_LENGTH_M {
+            return Ok(self);
+        }
+        let reason = format!("its end points are {:e} m apart", self.span().norm());
+        Err(Error::Degenerate { what: "the line", reason })
+    }
+
     /// Start to end, metres.
     pub fn span(&self) -> Vec3 {
         self.end - self.start
@@ -96,14 +105,14 @@ impl Stored<27> for Line {
         Self { start: at(0), end: at(3), covariance: get_triangle(n, 6) }
     }
 
+    fn settled(self) -> Self {
+        Self { covariance: covariance::settled(&self.covariance), ..self }
+    }
+
     fn checked(self) -> Result<Self> {
         check_coordinates(&self.start)?;
         check_coordinates(&self.end)?;
-        if self.span().norm() <= join::LEAST_LENGTH_M {
-            let reason = format!("its end points are {:e} m apart", self.span().norm());
-            return Err(Error::Degenerate { what: "the line", reason });
-        }
         covariance::checked("the covariance of the line", &self.covariance)?;
-        Ok(self)
+        self.with_length()
     }
 }

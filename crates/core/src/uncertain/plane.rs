@@ -105,11 +105,19 @@ impl Stored<16> for Plane {
         Self { point: at(0), normal: at(3), covariance: get_triangle(n, 6) }
     }
 
-    fn checked(self) -> Result<Self> {
+    fn settled(self) -> Self {
+        Self { covariance: covariance::settled(&self.covariance), ..self }
+    }
+
+    fn checked(mut self) -> Result<Self> {
         check_coordinates(&self.point)?;
         let length = self.normal.norm();
-        if (length - 1.0).abs() > 1e-9 {
+        if (length - 1.0).abs() > 1e-6 || !length.is_finite() {
             return Err(Error::argument("the plane's normal", "of unit length", length));
+        }
+        // Written with fewer digits; what was stored as a unit stays as it is, to the bit.
+        if (length - 1.0).abs() > 1e-15 {
+            self.normal /= length;
         }
         covariance::checked("the covariance of the plane", &self.covariance)?;
         let n = Vector4::new(self.normal.x, self.normal.y, self.normal.z, 0.0);

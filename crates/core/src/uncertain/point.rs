@@ -70,6 +70,10 @@ impl Stored<9> for Point {
         Self { position: Vec3::new(n[0], n[1], n[2]), covariance: get_triangle(n, 3) }
     }
 
+    fn settled(self) -> Self {
+        Self { covariance: covariance::settled(&self.covariance), ..self }
+    }
+
     fn checked(self) -> Result<Self> {
         check_coordinates(&self.position)?;
         covariance::checked("the covariance of the point", &self.covariance)?;

@@ -101,15 +101,23 @@ impl Stored<36> for Pose {
         }
     }
 
-    fn checked(self) -> Result<Self> {
+    fn settled(self) -> Self {
+        Self { covariance: covariance::settled(&self.covariance), ..self }
+    }
+
+    fn checked(mut self) -> Result<Self> {
         check_coordinates(&self.translation)?;
         let length = self.rotation.quaternion().norm();
-        if (length - 1.0).abs() > 1e-9 {
+        if (length - 1.0).abs() > 1e-6 || !length.is_finite() {
             return Err(Error::argument(
                 "the rotation",
                 "a unit quaternion w, x, y, z",
                 format!("one of length {length}"),
             ));
+        }
+        // Written with fewer digits; what was stored as a unit stays as it is, to the bit.
+        if (length - 1.0).abs() > 1e-15 {
+            self.rotation = UnitQuaternion::from_quaternion(*self.rotation.quaternion());
         }
         if !(self.scale > 1e-9 && self.scale < 1e9) {
             return Err(Error::argument("the scale", "positive, between 1e-9 and 1e9", self.scale));

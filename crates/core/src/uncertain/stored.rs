@@ -2,6 +2,7 @@
 
 use nalgebra::SMatrix;
 
+use super::point::MAX_COORDINATE_M;
 use crate::error::{Error, Result};
 use crate::num::text::number;
 
@@ -20,6 +21,28 @@ pub trait Stored<const N: usize>: Sized {
 
     /// The same value if it obeys every rule of its type, else the rule it breaks. Changes no bit of a valid one.
     fn checked(self) -> Result<Self>;
+
+    /// The same value with its covariance [`super::covariance::settled`].
+    fn settled(self) -> Self;
+
+    /// A value as a construction leaves it.
+    fn built(self) -> Result<Self> {
+        self.settled().in_range()
+    }
+
+    /// The same value if its numbers are finite and its coordinates within 1e9 m: what a construction can get wrong.
+    fn in_range(self) -> Result<Self> {
+        let numbers = self.to_numbers();
+        if let Some(c) =
+            numbers[..Self::COORDINATES].iter().find(|c| !(-MAX_COORDINATE_M..=MAX_COORDINATE_M).contains(*c))
+        {
+            return Err(Error::argument("a coordinate", "finite and within 1e9 m", c));
+        }
+        match numbers.iter().find(|x| !x.is_finite()) {
+            Some(x) => Err(Error::argument("a covariance", "finite", x)),
+            None => Ok(self),
+        }
+    }
 
     /// Text form `(coordinates;covariance)`, shortest decimals that read back the same; an exact value leaves out
     /// its covariance.

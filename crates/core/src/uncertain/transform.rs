@@ -16,7 +16,7 @@ impl Pose {
     pub fn point(&self, p: &Point) -> Result<Point> {
         let covariance =
             propagate(&self.by_object(), &p.covariance) + propagate(&self.by_pose(&p.position), &self.covariance);
-        Point { position: self.apply(&p.position), covariance }.checked()
+        Point { position: self.apply(&p.position), covariance }.built()
     }
 
     /// The image of a line; both ends share the pose's errors.
@@ -28,7 +28,7 @@ impl Pose {
             shared.fixed_view_mut::<3, 7>(row, 0).copy_from(&self.by_pose(&end));
         }
         let covariance = propagate(&own, &l.covariance) + propagate(&shared, &self.covariance);
-        Line { start: self.apply(&l.start), end: self.apply(&l.end), covariance }.checked()
+        Line { start: self.apply(&l.start), end: self.apply(&l.end), covariance }.with_length()?.built()
     }
 
     /// The image of a plane: δn' = R δn + ω × n', δq' = s δq + n'·(error of the pose at the plane's point).
@@ -41,7 +41,7 @@ impl Pose {
         by_pose.fixed_view_mut::<3, 3>(0, 0).copy_from(&-normal.cross_matrix());
         by_pose.fixed_view_mut::<1, 7>(3, 0).copy_from(&(normal.transpose() * self.by_pose(&p.point)));
         let covariance = propagate(&own, &p.covariance) + propagate(&by_pose, &self.covariance);
-        Plane::centred(self.apply(&p.point), normal, &covariance).checked()
+        Plane::centred(self.apply(&p.point), normal, &covariance).built()
     }
 
     /// This transform after `first`: x ↦ self(first(x)).
@@ -59,7 +59,7 @@ impl Pose {
             scale: self.scale * first.scale,
             covariance: propagate(&own, &self.covariance) + propagate(&inner, &first.covariance),
         }
-        .checked()
+        .built()
     }
 
     /// The transform back.
@@ -79,7 +79,7 @@ impl Pose {
             scale: 1.0 / self.scale,
             covariance: propagate(&j, &self.covariance),
         }
-        .checked()
+        .built()
     }
 }
 

@@ -98,7 +98,7 @@ impl Collector {
         let share = 1.0 / cameras.len().max(1) as f64;
         for camera in cameras {
             let beam = Beam { offset: point.position - camera, returned: true };
-            let step = spacing / beam.offset.norm().max(spacing);
+            let step = (spacing / beam.offset.norm().max(spacing)).max(1e-7);
             let patch = Patch::encode(TIE_POINTS, *camera, step, Patch::QUANTUM_M, &[beam])?;
             if self.concerns(patch.header()) {
                 let view = View::new(patch.header().clone(), &[beam]);

@@ -9,6 +9,10 @@ use super::surface_sums::{KERNEL_SPACINGS, same_surface};
 use crate::geometry::{Aabb, Vec3};
 use crate::{Interrupt, Result, poll_now_and_then};
 
+/// A point whose own standard deviation along the normal is more than this part of the search band says nothing: where
+/// in the band it lies would be chance.
+const MOST_SD: f64 = 0.5;
+
 type BlockBox = GeomWithData<Rectangle<[f64; 3]>, u32>;
 
 /// The boxes of all blocks of samples (local coordinates), for search.
@@ -72,6 +76,9 @@ impl PointIndex {
         let radius = KERNEL_SPACINGS * point.spacing;
         let (low, high) = (foot.map(|c| c - radius), foot.map(|c| c + radius));
         let variance = normal.dot(&(point.covariance * normal)).max(0.0);
+        if variance.sqrt() > MOST_SD * reach {
+            return;
+        }
         for found in self.tree.locate_in_envelope_intersecting(&AABB::from_corners(low.into(), high.into())) {
             let block = samples.blocks[found.data as usize];
             let here = samples.normals[block.face as usize];
