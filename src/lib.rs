@@ -29,4 +29,5 @@ pgrx::extension_sql_file!("../sql/install/08-uncertain.sql", name = "uncertain",
 pgrx::extension_sql_file!("../sql/install/09-relations.sql", name = "relations", requires = ["uncertain"]);
 pgrx::extension_sql_file!("../sql/install/10-belief-calculus.sql", name = "calculus", requires = ["relations"]);
 pgrx::extension_sql_file!("../sql/install/11-uncertain-index.sql", name = "uncertain_index", requires = ["calculus"]);
-pgrx::extension_sql_file!("../sql/install/12-patches.sql", name = "patches", requires = ["uncertain_index"], finalize);
+pgrx::extension_sql_file!("../sql/install/12-patches.sql", name = "patches", requires = ["uncertain_index"]);
+pgrx::extension_sql_file!("../sql/install/13-nearness.sql", name = "nearness", requires = ["patches"], finalize);

@@ -15,6 +15,10 @@ const OVERLAPS_SOLID: i16 = 2;
 const OVERLAPS_SCAN: i16 = 3;
 const OVERLAPS_POINT: i16 = 4;
 const POINT_OVERLAPS_SOLID: i16 = 5;
+/// `@>`, `<@` and `~=` with a box; the key decides on inner pages, the operator itself on leaves (recheck).
+const CONTAINS: i16 = 10;
+const CONTAINED: i16 = 11;
+const SAME: i16 = 12;
 
 fn key(args: &Args, i: usize) -> Aabb {
     box_from(&args.entry_key::<BOX_LEN>(i))
@@ -22,20 +26,31 @@ fn key(args: &Args, i: usize) -> Aabb {
 
 fn query(args: &Args, strategy: i16) -> asbuilt_core::Result<Aabb> {
     match strategy {
-        OVERLAPS_BOX => Ok(box_from(&args.fixed(1))),
+        OVERLAPS_BOX | CONTAINS | CONTAINED | SAME => Ok(box_from(&args.fixed(1))),
         OVERLAPS_SOLID => Ok(Solid::header(args.prefix(1, Solid::HEADER_LEN))?.bounds),
         OVERLAPS_SCAN => Ok(Header::read(args.prefix(1, Header::LEN))?.hull),
         OVERLAPS_POINT => Ok(overlap_box(args, 1, "point")),
         POINT_OVERLAPS_SOLID => Ok(Solid::header(args.prefix(1, Solid::HEADER_LEN))?.bounds.expanded(JOIN_MARGIN_M)),
-        other => Err(asbuilt_core::Error::argument("the GiST strategy", "1 to 5", other)),
+        other => Err(asbuilt_core::Error::argument("the GiST strategy", "1 to 5 or 10 to 12", other)),
     }
 }
 
 sql_functions! {
     /// consistent(entry, query, strategy, subtype, recheck)
     fn ab_gist_consistent(args) {
+        let strategy = args.i16(2);
+        args.set_flag(4, strategy >= CONTAINS);
+        let (key, query) = (key(args, 0), query(args, strategy)?);
+        Ok(Ret::Bool(match strategy {
+            CONTAINS | SAME => key.contains(&query),
+            _ => key.overlaps(&query),
+        }))
+    }
+
+    /// distance(entry, query, strategy, subtype, recheck): to the key, which holds everything below it.
+    fn ab_gist_distance(args) {
         args.set_flag(4, false);
-        Ok(Ret::Bool(key(args, 0).overlaps(&query(args, args.i16(2))?)))
+        Ok(Ret::F64(key(args, 0).distance(&box_from(&args.fixed(1)))))
     }
 
     /// union(vector, size)

@@ -10,6 +10,7 @@ mod loa;
 mod mass;
 mod overlap;
 mod patch;
+mod relation;
 mod samples;
 mod scan;
 mod sensor;

@@ -11,12 +11,13 @@ fn of_box(args: &Args, i: usize) -> Result<Aabb> {
     Ok(box_from(&args.fixed(i)))
 }
 
-fn of_solid(args: &Args, i: usize) -> Result<Aabb> {
+/// The box of a solid.
+pub fn of_solid(args: &Args, i: usize) -> Result<Aabb> {
     Ok(Solid::header(args.prefix(i, Solid::HEADER_LEN))?.bounds)
 }
 
 /// For a scan the box that counts is the hull of its beams, origin included.
-fn of_scan(args: &Args, i: usize) -> Result<Aabb> {
+pub fn of_scan(args: &Args, i: usize) -> Result<Aabb> {
     Ok(Header::read(args.prefix(i, Header::LEN))?.hull)
 }
 

@@ -25,6 +25,11 @@ pub fn overlap_box(args: &Args, i: usize, ty: &str) -> Aabb {
     }
 }
 
+/// The box of the point in argument `i`, as indexes hold it.
+pub fn point_box(args: &Args, i: usize) -> Result<Aabb> {
+    Ok(overlap_box(args, i, "point"))
+}
+
 fn overlap(args: &Args, left: &str, right: &str) -> Result<Ret> {
     Ok(Ret::Bool(overlap_box(args, 0, left).overlaps(&overlap_box(args, 1, right))))
 }

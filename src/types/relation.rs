@@ -1,0 +1,52 @@
+//! `@>`, `<@`, `~=` and `<->` between whatever has a box and an `ab_box`; only headers are read.
+
+use asbuilt_core::Result;
+use asbuilt_core::geometry::Aabb;
+
+use super::box_from;
+use super::overlap::{of_scan, of_solid};
+use super::uncertain::point_box;
+use crate::pg::{Args, Ret, sql_functions};
+
+fn of_box(args: &Args, i: usize) -> Result<Aabb> {
+    Ok(box_from(&args.fixed(i)))
+}
+
+type BoxOf = fn(&Args, usize) -> Result<Aabb>;
+
+fn contains(args: &Args, left: BoxOf) -> Result<Ret> {
+    Ok(Ret::Bool(left(args, 0)?.contains(&of_box(args, 1)?)))
+}
+
+fn contained(args: &Args, left: BoxOf) -> Result<Ret> {
+    Ok(Ret::Bool(of_box(args, 1)?.contains(&left(args, 0)?)))
+}
+
+fn same(args: &Args, left: BoxOf) -> Result<Ret> {
+    Ok(Ret::Bool(left(args, 0)? == of_box(args, 1)?))
+}
+
+fn distance(args: &Args, left: BoxOf) -> Result<Ret> {
+    Ok(Ret::F64(left(args, 0)?.distance(&of_box(args, 1)?)))
+}
+
+sql_functions! {
+    fn ab_box_contains(args) { contains(args, of_box) }
+    fn ab_box_contained(args) { contained(args, of_box) }
+    fn ab_box_distance(args) { distance(args, of_box) }
+
+    fn ab_solid_contains(args) { contains(args, of_solid) }
+    fn ab_solid_contained(args) { contained(args, of_solid) }
+    fn ab_solid_same(args) { same(args, of_solid) }
+    fn ab_solid_distance(args) { distance(args, of_solid) }
+
+    fn ab_scan_contains(args) { contains(args, of_scan) }
+    fn ab_scan_contained(args) { contained(args, of_scan) }
+    fn ab_scan_same(args) { same(args, of_scan) }
+    fn ab_scan_distance(args) { distance(args, of_scan) }
+
+    fn ab_point_contains(args) { contains(args, point_box) }
+    fn ab_point_contained(args) { contained(args, point_box) }
+    fn ab_point_same(args) { same(args, point_box) }
+    fn ab_point_distance(args) { distance(args, point_box) }
+}
