@@ -35,3 +35,32 @@ COMMENT ON FUNCTION ab_transform(ab_scan, ab_pose) IS 'The patch through a pose;
 CREATE FUNCTION ab_retile(patches ab_scan[]) RETURNS SETOF ab_scan
     AS 'MODULE_PATHNAME', 'ab_scan_retile' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 10;
 COMMENT ON FUNCTION ab_retile(ab_scan[]) IS 'The beams of patches of one station cut anew into tiles of at most 4096 neighbours';
+
+-- Patches from rows.
+
+CREATE FUNCTION ab_scan_accum(state internal, x float8, y float8, z float8, origin float8[], station bigint) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_scan_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE;
+COMMENT ON FUNCTION ab_scan_accum(internal, float8, float8, float8, float8[], bigint) IS 'Transition of ab_scan_agg';
+
+CREATE FUNCTION ab_scan_combine(left_state internal, right_state internal) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_scan_combine' LANGUAGE c IMMUTABLE PARALLEL SAFE;
+COMMENT ON FUNCTION ab_scan_combine(internal, internal) IS 'Combine of ab_scan_agg';
+
+CREATE FUNCTION ab_scan_serial(state internal) RETURNS bytea
+    AS 'MODULE_PATHNAME', 'ab_scan_serial' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_scan_serial(internal) IS 'Serialisation of ab_scan_agg';
+
+CREATE FUNCTION ab_scan_deserial(bytes bytea, dummy internal) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_scan_deserial' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_scan_deserial(bytea, internal) IS 'Deserialisation of ab_scan_agg';
+
+CREATE FUNCTION ab_scan_final(state internal) RETURNS ab_scan[]
+    AS 'MODULE_PATHNAME', 'ab_scan_final' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
+COMMENT ON FUNCTION ab_scan_final(internal) IS 'Final of ab_scan_agg';
+
+CREATE AGGREGATE ab_scan_agg(x float8, y float8, z float8, origin float8[], station bigint) (
+    SFUNC = ab_scan_accum, STYPE = internal, SSPACE = 1000000,
+    COMBINEFUNC = ab_scan_combine, SERIALFUNC = ab_scan_serial, DESERIALFUNC = ab_scan_deserial,
+    FINALFUNC = ab_scan_final, PARALLEL = SAFE);
+COMMENT ON AGGREGATE ab_scan_agg(float8, float8, float8, float8[], bigint) IS
+    'Patches from rows of returns (world metres) of one station: GROUP BY it. Rows keep their order inside a patch where they come ordered, which packs best; unnest() makes rows of the array. A row with a NULL adds nothing';

@@ -3,3 +3,4 @@
 mod evidence;
 mod points;
 mod pool;
+mod scan;

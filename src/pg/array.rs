@@ -88,6 +88,24 @@ pub unsafe fn write(
     }
 }
 
+/// An array of the variable-length type that the call returns an array of; NULL when empty.
+///
+/// # Safety
+/// `fcinfo` must be the pointer PostgreSQL called the function with; the element type must be aligned to four bytes.
+pub unsafe fn of_varlenas(fcinfo: pg_sys::FunctionCallInfo, elements: &[Vec<u8>]) -> pg_sys::Datum {
+    if elements.is_empty() {
+        unsafe { (*fcinfo).isnull = true };
+        return pg_sys::Datum::from(0usize);
+    }
+    let mut datums: Vec<_> = elements.iter().map(|e| super::ret::varlena(e)).collect();
+    unsafe {
+        let element = pg_sys::get_element_type(pg_sys::get_fn_expr_rettype((*fcinfo).flinfo));
+        assert!(element != pg_sys::InvalidOid, "the function returns no array");
+        let align = b'i' as std::ffi::c_char;
+        pg_sys::construct_array(datums.as_mut_ptr(), datums.len() as i32, element, -1, false, align).into()
+    }
+}
+
 /// A `float8[]`.
 pub fn of_f64(values: &[f64], dims: &[i32]) -> pg_sys::Datum {
     let mut datums: Vec<_> = values.iter().map(|v| pg_sys::Datum::from(v.to_bits() as usize)).collect();

@@ -29,6 +29,8 @@ pub enum Ret {
     F64Array(Vec<f64>, Vec<i32>),
     /// `int4[]` with dimensions.
     I32Array(Vec<i32>, Vec<i32>),
+    /// An array of one of our variable-length types, as the function declares it; NULL when empty.
+    VarlenaArray(Vec<Vec<u8>>),
     /// A row of the function's OUT columns.
     Row(Vec<Field>),
     /// An address or a value handed through as it is.
@@ -73,6 +75,7 @@ impl Ret {
             Self::Fixed(b) => fixed(&b),
             Self::F64Array(v, dims) => array::of_f64(&v, &dims),
             Self::I32Array(v, dims) => array::of_i32(&v, &dims),
+            Self::VarlenaArray(elements) => unsafe { array::of_varlenas(fcinfo, &elements) },
             Self::Row(fields) => unsafe { rows::composite(fcinfo, &fields) },
             Self::Raw(d) => d,
         }

@@ -34,4 +34,16 @@ SELECT ab_filter(p, 'nan'::float8) FROM patch WHERE station = 0;
 SELECT ab_sees(p, ab_box(0,0,0,1,1,1), -1) FROM patch WHERE station = 0;
 SELECT ab_retile(ARRAY[ARRAY[p]]) FROM patch WHERE station = 0;
 SELECT ab_transform(p, ab_pose(ARRAY[0,0,0], scale => 1e8)) FROM patch WHERE station = 0;
-DROP TABLE patch;
+-- from rows and back: every return, to half a quantum; by workers the same beams
+CREATE TABLE ret AS SELECT station, origin, point[1] AS x, point[2] AS y, point[3] AS z FROM patch, ab_beams(p);
+SELECT station, count(*) AS patches, sum(ab_count(c)), bool_and(ab_station(c) = station) AS of_station, sum((SELECT count(*) FROM ab_beams(c) b JOIN ret r ON r.station = x.station AND abs(r.x - b.point[1]) < 0.00006 AND abs(r.y - b.point[2]) < 0.00006 AND abs(r.z - b.point[3]) < 0.00006)) AS found
+FROM (SELECT station, unnest(ab_scan_agg(x, y, z, origin, station)) AS c FROM ret GROUP BY station) x GROUP BY 1 ORDER BY 1;
+SET parallel_setup_cost = 0; SET parallel_tuple_cost = 0; SET min_parallel_table_scan_size = 0; ALTER TABLE ret SET (parallel_workers = 2);
+EXPLAIN (COSTS OFF) SELECT ab_scan_agg(x, y, z, origin, station) FROM ret WHERE station = 1;
+SELECT sum(ab_count(c)) FROM (SELECT unnest(ab_scan_agg(x, y, z, origin, station)) AS c FROM ret WHERE station = 1) q;
+RESET parallel_setup_cost; RESET parallel_tuple_cost; RESET min_parallel_table_scan_size;
+SELECT ab_scan_agg(x, y, z, origin, station) FROM ret;
+SELECT ab_scan_agg(x, y, z, origin, station) IS NULL AS nothing FROM ret WHERE false;
+SELECT ab_scan_agg(x, y, 'nan', origin, station) FROM ret WHERE station = 0;
+SELECT ab_scan_agg(x, y, z, ARRAY[1], station) FROM ret WHERE station = 0;
+DROP TABLE patch, ret;
