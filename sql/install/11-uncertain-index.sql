@@ -39,7 +39,7 @@ CREATE FUNCTION ab_hash(line ab_line, seed bigint) RETURNS bigint
     AS 'MODULE_PATHNAME', 'ab_line_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_hash(ab_line, bigint) IS 'Hash of the numbers with a seed';
 
-CREATE OPERATOR = (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
+CREATE OPERATOR = (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES, MERGES);
 COMMENT ON OPERATOR = (ab_line, ab_line) IS 'Same numbers, covariance included';
 CREATE OPERATOR <> (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_line, ab_line) IS 'Not the same numbers';
@@ -62,7 +62,7 @@ CREATE FUNCTION ab_hash(plane ab_plane, seed bigint) RETURNS bigint
     AS 'MODULE_PATHNAME', 'ab_plane_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_hash(ab_plane, bigint) IS 'Hash of the numbers with a seed';
 
-CREATE OPERATOR = (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
+CREATE OPERATOR = (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES, MERGES);
 COMMENT ON OPERATOR = (ab_plane, ab_plane) IS 'Same numbers, covariance included';
 CREATE OPERATOR <> (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_plane, ab_plane) IS 'Not the same numbers';
@@ -85,7 +85,7 @@ CREATE FUNCTION ab_hash(pose ab_pose, seed bigint) RETURNS bigint
     AS 'MODULE_PATHNAME', 'ab_pose_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_hash(ab_pose, bigint) IS 'Hash of the numbers with a seed';
 
-CREATE OPERATOR = (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
+CREATE OPERATOR = (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES, MERGES);
 COMMENT ON OPERATOR = (ab_pose, ab_pose) IS 'Same numbers, covariance included';
 CREATE OPERATOR <> (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_pose, ab_pose) IS 'Not the same numbers';
@@ -104,7 +104,7 @@ CREATE FUNCTION ab_hash(mass ab_mass, seed bigint) RETURNS bigint
     AS 'MODULE_PATHNAME', 'ab_mass_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_hash(ab_mass, bigint) IS 'Hash of the numbers with a seed';
 
-CREATE OPERATOR = (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES);
+CREATE OPERATOR = (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES, MERGES);
 COMMENT ON OPERATOR = (ab_mass, ab_mass) IS 'Same numbers';
 CREATE OPERATOR <> (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_mass, ab_mass) IS 'Not the same numbers';
@@ -142,6 +142,134 @@ COMMENT ON FUNCTION ab_compare(ab_point, ab_point) IS '-1, 0 or 1 in the order o
 CREATE OPERATOR CLASS ab_point_ops DEFAULT FOR TYPE ab_point USING btree AS
     OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 ab_compare(ab_point, ab_point);
 COMMENT ON OPERATOR CLASS ab_point_ops USING btree IS 'Order by x, y, z, covariance';
+
+CREATE FUNCTION ab_lt(a ab_line, b ab_line) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_line_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_lt(ab_line, ab_line) IS 'Before in the order of start, end, covariance';
+CREATE OPERATOR < (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
+COMMENT ON OPERATOR < (ab_line, ab_line) IS 'Before in the order of start, end, covariance';
+
+CREATE FUNCTION ab_le(a ab_line, b ab_line) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_line_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_le(ab_line, ab_line) IS 'Not after in the order of start, end, covariance';
+CREATE OPERATOR <= (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_le, COMMUTATOR = >=, NEGATOR = >, RESTRICT = scalarlesel, JOIN = scalarlejoinsel);
+COMMENT ON OPERATOR <= (ab_line, ab_line) IS 'Not after in the order of start, end, covariance';
+
+CREATE FUNCTION ab_ge(a ab_line, b ab_line) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_line_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_ge(ab_line, ab_line) IS 'Not before in the order of start, end, covariance';
+CREATE OPERATOR >= (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_ge, COMMUTATOR = <=, NEGATOR = <, RESTRICT = scalargesel, JOIN = scalargejoinsel);
+COMMENT ON OPERATOR >= (ab_line, ab_line) IS 'Not before in the order of start, end, covariance';
+
+CREATE FUNCTION ab_gt(a ab_line, b ab_line) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_line_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gt(ab_line, ab_line) IS 'After in the order of start, end, covariance';
+CREATE OPERATOR > (LEFTARG = ab_line, RIGHTARG = ab_line, FUNCTION = ab_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
+COMMENT ON OPERATOR > (ab_line, ab_line) IS 'After in the order of start, end, covariance';
+
+CREATE FUNCTION ab_compare(a ab_line, b ab_line) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_line_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_compare(ab_line, ab_line) IS '-1, 0 or 1 in the order of start, end, covariance';
+
+CREATE OPERATOR CLASS ab_line_ops DEFAULT FOR TYPE ab_line USING btree AS
+    OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 ab_compare(ab_line, ab_line);
+COMMENT ON OPERATOR CLASS ab_line_ops USING btree IS 'Order by start, end, covariance';
+
+CREATE FUNCTION ab_lt(a ab_plane, b ab_plane) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_plane_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_lt(ab_plane, ab_plane) IS 'Before in the order of point, normal, covariance';
+CREATE OPERATOR < (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
+COMMENT ON OPERATOR < (ab_plane, ab_plane) IS 'Before in the order of point, normal, covariance';
+
+CREATE FUNCTION ab_le(a ab_plane, b ab_plane) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_plane_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_le(ab_plane, ab_plane) IS 'Not after in the order of point, normal, covariance';
+CREATE OPERATOR <= (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_le, COMMUTATOR = >=, NEGATOR = >, RESTRICT = scalarlesel, JOIN = scalarlejoinsel);
+COMMENT ON OPERATOR <= (ab_plane, ab_plane) IS 'Not after in the order of point, normal, covariance';
+
+CREATE FUNCTION ab_ge(a ab_plane, b ab_plane) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_plane_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_ge(ab_plane, ab_plane) IS 'Not before in the order of point, normal, covariance';
+CREATE OPERATOR >= (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_ge, COMMUTATOR = <=, NEGATOR = <, RESTRICT = scalargesel, JOIN = scalargejoinsel);
+COMMENT ON OPERATOR >= (ab_plane, ab_plane) IS 'Not before in the order of point, normal, covariance';
+
+CREATE FUNCTION ab_gt(a ab_plane, b ab_plane) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_plane_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gt(ab_plane, ab_plane) IS 'After in the order of point, normal, covariance';
+CREATE OPERATOR > (LEFTARG = ab_plane, RIGHTARG = ab_plane, FUNCTION = ab_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
+COMMENT ON OPERATOR > (ab_plane, ab_plane) IS 'After in the order of point, normal, covariance';
+
+CREATE FUNCTION ab_compare(a ab_plane, b ab_plane) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_plane_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_compare(ab_plane, ab_plane) IS '-1, 0 or 1 in the order of point, normal, covariance';
+
+CREATE OPERATOR CLASS ab_plane_ops DEFAULT FOR TYPE ab_plane USING btree AS
+    OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 ab_compare(ab_plane, ab_plane);
+COMMENT ON OPERATOR CLASS ab_plane_ops USING btree IS 'Order by point, normal, covariance';
+
+CREATE FUNCTION ab_lt(a ab_pose, b ab_pose) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_pose_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_lt(ab_pose, ab_pose) IS 'Before in the order of rotation, translation, scale, covariance';
+CREATE OPERATOR < (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
+COMMENT ON OPERATOR < (ab_pose, ab_pose) IS 'Before in the order of rotation, translation, scale, covariance';
+
+CREATE FUNCTION ab_le(a ab_pose, b ab_pose) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_pose_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_le(ab_pose, ab_pose) IS 'Not after in the order of rotation, translation, scale, covariance';
+CREATE OPERATOR <= (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_le, COMMUTATOR = >=, NEGATOR = >, RESTRICT = scalarlesel, JOIN = scalarlejoinsel);
+COMMENT ON OPERATOR <= (ab_pose, ab_pose) IS 'Not after in the order of rotation, translation, scale, covariance';
+
+CREATE FUNCTION ab_ge(a ab_pose, b ab_pose) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_pose_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_ge(ab_pose, ab_pose) IS 'Not before in the order of rotation, translation, scale, covariance';
+CREATE OPERATOR >= (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_ge, COMMUTATOR = <=, NEGATOR = <, RESTRICT = scalargesel, JOIN = scalargejoinsel);
+COMMENT ON OPERATOR >= (ab_pose, ab_pose) IS 'Not before in the order of rotation, translation, scale, covariance';
+
+CREATE FUNCTION ab_gt(a ab_pose, b ab_pose) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_pose_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gt(ab_pose, ab_pose) IS 'After in the order of rotation, translation, scale, covariance';
+CREATE OPERATOR > (LEFTARG = ab_pose, RIGHTARG = ab_pose, FUNCTION = ab_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
+COMMENT ON OPERATOR > (ab_pose, ab_pose) IS 'After in the order of rotation, translation, scale, covariance';
+
+CREATE FUNCTION ab_compare(a ab_pose, b ab_pose) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_pose_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_compare(ab_pose, ab_pose) IS '-1, 0 or 1 in the order of rotation, translation, scale, covariance';
+
+CREATE OPERATOR CLASS ab_pose_ops DEFAULT FOR TYPE ab_pose USING btree AS
+    OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 ab_compare(ab_pose, ab_pose);
+COMMENT ON OPERATOR CLASS ab_pose_ops USING btree IS 'Order by rotation, translation, scale, covariance';
+
+CREATE FUNCTION ab_lt(a ab_mass, b ab_mass) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_mass_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_lt(ab_mass, ab_mass) IS 'Before in the order of occupied, empty, unknown';
+CREATE OPERATOR < (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
+COMMENT ON OPERATOR < (ab_mass, ab_mass) IS 'Before in the order of occupied, empty, unknown';
+
+CREATE FUNCTION ab_le(a ab_mass, b ab_mass) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_mass_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_le(ab_mass, ab_mass) IS 'Not after in the order of occupied, empty, unknown';
+CREATE OPERATOR <= (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_le, COMMUTATOR = >=, NEGATOR = >, RESTRICT = scalarlesel, JOIN = scalarlejoinsel);
+COMMENT ON OPERATOR <= (ab_mass, ab_mass) IS 'Not after in the order of occupied, empty, unknown';
+
+CREATE FUNCTION ab_ge(a ab_mass, b ab_mass) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_mass_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_ge(ab_mass, ab_mass) IS 'Not before in the order of occupied, empty, unknown';
+CREATE OPERATOR >= (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_ge, COMMUTATOR = <=, NEGATOR = <, RESTRICT = scalargesel, JOIN = scalargejoinsel);
+COMMENT ON OPERATOR >= (ab_mass, ab_mass) IS 'Not before in the order of occupied, empty, unknown';
+
+CREATE FUNCTION ab_gt(a ab_mass, b ab_mass) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_mass_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gt(ab_mass, ab_mass) IS 'After in the order of occupied, empty, unknown';
+CREATE OPERATOR > (LEFTARG = ab_mass, RIGHTARG = ab_mass, FUNCTION = ab_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
+COMMENT ON OPERATOR > (ab_mass, ab_mass) IS 'After in the order of occupied, empty, unknown';
+
+CREATE FUNCTION ab_compare(a ab_mass, b ab_mass) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_mass_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_compare(ab_mass, ab_mass) IS '-1, 0 or 1 in the order of occupied, empty, unknown';
+
+CREATE OPERATOR CLASS ab_mass_ops DEFAULT FOR TYPE ab_mass USING btree AS
+    OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 ab_compare(ab_mass, ab_mass);
+COMMENT ON OPERATOR CLASS ab_mass_ops USING btree IS 'Order by occupied, empty, unknown';
 
 CREATE FUNCTION ab_reach(point ab_point, sigmas float8) RETURNS ab_box
     AS 'MODULE_PATHNAME', 'ab_point_reach' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;

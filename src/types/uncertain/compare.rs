@@ -44,20 +44,40 @@ sql_functions! {
 
     fn ab_line_eq(args) { Ok(Ret::Bool(order::<27>(args).is_eq())) }
     fn ab_line_ne(args) { Ok(Ret::Bool(order::<27>(args).is_ne())) }
+    fn ab_line_lt(args) { Ok(Ret::Bool(order::<27>(args).is_lt())) }
+    fn ab_line_le(args) { Ok(Ret::Bool(order::<27>(args).is_le())) }
+    fn ab_line_ge(args) { Ok(Ret::Bool(order::<27>(args).is_ge())) }
+    fn ab_line_gt(args) { Ok(Ret::Bool(order::<27>(args).is_gt())) }
+    fn ab_line_compare(args) { Ok(Ret::I32(order::<27>(args) as i32)) }
     fn ab_line_hash(args) { Ok(hash::<27>(args)) }
     fn ab_line_hash_extended(args) { Ok(hash_extended::<27>(args)) }
 
     fn ab_plane_eq(args) { Ok(Ret::Bool(order::<16>(args).is_eq())) }
     fn ab_plane_ne(args) { Ok(Ret::Bool(order::<16>(args).is_ne())) }
+    fn ab_plane_lt(args) { Ok(Ret::Bool(order::<16>(args).is_lt())) }
+    fn ab_plane_le(args) { Ok(Ret::Bool(order::<16>(args).is_le())) }
+    fn ab_plane_ge(args) { Ok(Ret::Bool(order::<16>(args).is_ge())) }
+    fn ab_plane_gt(args) { Ok(Ret::Bool(order::<16>(args).is_gt())) }
+    fn ab_plane_compare(args) { Ok(Ret::I32(order::<16>(args) as i32)) }
     fn ab_plane_hash(args) { Ok(hash::<16>(args)) }
     fn ab_plane_hash_extended(args) { Ok(hash_extended::<16>(args)) }
 
     fn ab_pose_eq(args) { Ok(Ret::Bool(order::<36>(args).is_eq())) }
     fn ab_pose_ne(args) { Ok(Ret::Bool(order::<36>(args).is_ne())) }
+    fn ab_pose_lt(args) { Ok(Ret::Bool(order::<36>(args).is_lt())) }
+    fn ab_pose_le(args) { Ok(Ret::Bool(order::<36>(args).is_le())) }
+    fn ab_pose_ge(args) { Ok(Ret::Bool(order::<36>(args).is_ge())) }
+    fn ab_pose_gt(args) { Ok(Ret::Bool(order::<36>(args).is_gt())) }
+    fn ab_pose_compare(args) { Ok(Ret::I32(order::<36>(args) as i32)) }
     fn ab_pose_hash(args) { Ok(hash::<36>(args)) }
     fn ab_pose_hash_extended(args) { Ok(hash_extended::<36>(args)) }
 
     fn ab_mass_ne(args) { Ok(Ret::Bool(order::<3>(args).is_ne())) }
+    fn ab_mass_lt(args) { Ok(Ret::Bool(order::<3>(args).is_lt())) }
+    fn ab_mass_le(args) { Ok(Ret::Bool(order::<3>(args).is_le())) }
+    fn ab_mass_ge(args) { Ok(Ret::Bool(order::<3>(args).is_ge())) }
+    fn ab_mass_gt(args) { Ok(Ret::Bool(order::<3>(args).is_gt())) }
+    fn ab_mass_compare(args) { Ok(Ret::I32(order::<3>(args) as i32)) }
     fn ab_mass_hash(args) { Ok(hash::<3>(args)) }
     fn ab_mass_hash_extended(args) { Ok(hash_extended::<3>(args)) }
 }

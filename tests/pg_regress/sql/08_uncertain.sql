@@ -106,3 +106,13 @@ SELECT q = q::text::ab_pose AS reads_again FROM (SELECT ab_inverse(ab_inverse(ab
 SELECT ab_foot(ab_point(1e9, 1e9, -1e9), ab_plane(ARRAY[-1e9, -1e9, 1e9], ARRAY[1, -0.6, 0.6]));
 SELECT ab_plane(ab_point(0, 0, 0, 1e150), ab_point(1, 0, 0, 1e150), ab_point(0, 1, 0, 1e150));
 SELECT ab_point(0, 0, 0, 1e200);
+-- keys, order and DISTINCT of every type; arguments the other way round
+CREATE TABLE keyed (m ab_mass PRIMARY KEY, l ab_line UNIQUE, pl ab_plane UNIQUE, po ab_pose UNIQUE);
+INSERT INTO keyed SELECT ab_mass(i / 20.0, 0.1), ab_line(ARRAY[i, 0, 0], ARRAY[0, 1, 1]), ab_plane(ARRAY[i, 0, 0], ARRAY[0, 0, 1]), ab_pose(ARRAY[i, 0, 0]) FROM generate_series(10, 1, -1) i;
+INSERT INTO keyed SELECT m, l, pl, po FROM keyed LIMIT 1;
+SELECT count(DISTINCT m) AS masses, count(DISTINCT l) AS lines, count(DISTINCT pl) AS planes, count(DISTINCT po) AS poses FROM (SELECT * FROM keyed UNION ALL SELECT * FROM keyed) x;
+SELECT array_agg(ab_belief(m) ORDER BY m) = array_agg(ab_belief(m) ORDER BY ab_belief(m)) AS ordered FROM keyed;
+DROP TABLE keyed;
+SELECT ab_distance(p, pl) = ab_distance(pl, p) AS distance, ab_distance(p, l) = ab_distance(l, p) AS from_line, ab_test_incident(p, pl) = ab_test_incident(pl, p) AS incident, ab_is_incident(l, pl, 0.5) = ab_is_incident(pl, l, 0.5) AS in_plane,
+       ab_test_orthogonal(l, pl) = ab_test_orthogonal(pl, l) AS orthogonal, ab_is_parallel(pl, l) AS parallel, ab_intersection(pl, l) = ab_intersection(l, pl) AS met
+FROM (SELECT ab_point(1, 2, 3, 0.01) p, ab_line(ab_point(0, 0, 0, 0.01), ab_point(1, 1, 4, 0.01)) l, ab_plane(ARRAY[0, 0, 3], ARRAY[0, 0, 1], 0.01, 0.001) pl) x;
