@@ -29,11 +29,7 @@ sql_functions! {
         let mut state = state(args, 0, rule)?;
         let mut mass = mass_arg(args, 1);
         if args.len() > 3 {
-            let reliability = args.f64(3);
-            if !(0.0..=1.0).contains(&reliability) {
-                return Err(asbuilt_core::Error::argument("the reliability", "between 0 and 1", reliability));
-            }
-            mass = mass.discounted(reliability);
+            mass = mass.discount(args.f64(3))?;
         }
         if state.get().rule() != rule {
             return Err(Pool::other_rule(state.get().rule(), rule));

@@ -2,11 +2,11 @@
 
 use asbuilt_core::geometry::split::{penalty, split};
 use asbuilt_core::geometry::{Aabb, Solid};
-use asbuilt_core::scan::{Header, JOIN_MARGIN_M};
+use asbuilt_core::scan::Header;
 use asbuilt_core::uncertain::{Line, Point, Stored};
 
 use crate::pg::{Args, KeyVector, PickSplit, Ret, sql_functions};
-use crate::types::uncertain::{INDEX_SIGMAS, overlap_box};
+use crate::types::overlap::{INDEX_SIGMAS, near_solid, of_box, of_point, of_scan, of_solid};
 use crate::types::{BOX_LEN, box_bytes, box_from};
 
 /// Strategy numbers: `&&` with each right-hand type, the same in every opclass.
@@ -26,11 +26,11 @@ fn key(args: &Args, i: usize) -> Aabb {
 
 fn query(args: &Args, strategy: i16) -> asbuilt_core::Result<Aabb> {
     match strategy {
-        OVERLAPS_BOX | CONTAINS | CONTAINED | SAME => Ok(box_from(&args.fixed(1))),
-        OVERLAPS_SOLID => Ok(Solid::header(args.prefix(1, Solid::HEADER_LEN))?.bounds),
-        OVERLAPS_SCAN => Ok(Header::read(args.prefix(1, Header::LEN))?.hull),
-        OVERLAPS_POINT => Ok(overlap_box(args, 1, "point")),
-        POINT_OVERLAPS_SOLID => Ok(Solid::header(args.prefix(1, Solid::HEADER_LEN))?.bounds.expanded(JOIN_MARGIN_M)),
+        OVERLAPS_BOX | CONTAINS | CONTAINED | SAME => of_box(args, 1),
+        OVERLAPS_SOLID => of_solid(args, 1),
+        OVERLAPS_SCAN => of_scan(args, 1),
+        OVERLAPS_POINT => of_point(args, 1),
+        POINT_OVERLAPS_SOLID => near_solid(args, 1),
         other => Err(asbuilt_core::Error::argument("the GiST strategy", "1 to 5 or 10 to 12", other)),
     }
 }

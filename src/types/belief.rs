@@ -15,13 +15,7 @@ sql_functions! {
     fn ab_mass_nonspecificity(args) { Ok(Ret::F64(mass_arg(args, 0).nonspecificity())) }
     fn ab_mass_discord(args) { Ok(Ret::F64(mass_arg(args, 0).discord())) }
 
-    fn ab_mass_discount(args) {
-        let reliability = args.f64(1);
-        if !(0.0..=1.0).contains(&reliability) {
-            return Err(Error::argument("the reliability", "between 0 and 1", reliability));
-        }
-        mass_ret(&mass_arg(args, 0).discounted(reliability))
-    }
+    fn ab_mass_discount(args) { mass_ret(&mass_arg(args, 0).discount(args.f64(1))?) }
 
     fn ab_mass_pignistic(args) {
         let p = mass_arg(args, 0).pignistic(Hypothesis::parse(&args.text(1))?);

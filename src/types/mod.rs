@@ -8,7 +8,7 @@ mod evidence_model;
 mod hex;
 mod loa;
 mod mass;
-mod overlap;
+pub mod overlap;
 mod patch;
 mod relation;
 mod samples;

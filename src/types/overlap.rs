@@ -1,13 +1,18 @@
-//! `&&` between everything that has a box; only headers are read.
+//! The box by which each type is indexed, and `&&` between them; only headers are read.
 
 use asbuilt_core::Result;
 use asbuilt_core::geometry::{Aabb, Solid};
-use asbuilt_core::scan::Header;
+use asbuilt_core::scan::{Header, JOIN_MARGIN_M};
+use asbuilt_core::uncertain::{Line, Point};
 
-use super::box_from;
+use super::{box_from, uncertain};
 use crate::pg::{Args, Ret, sql_functions};
 
-fn of_box(args: &Args, i: usize) -> Result<Aabb> {
+/// Standard deviations by which a point or line is grown: searches up to this many are served by an index.
+pub const INDEX_SIGMAS: f64 = 5.0;
+
+/// A box itself.
+pub fn of_box(args: &Args, i: usize) -> Result<Aabb> {
     Ok(box_from(&args.fixed(i)))
 }
 
@@ -16,12 +21,27 @@ pub fn of_solid(args: &Args, i: usize) -> Result<Aabb> {
     Ok(Solid::header(args.prefix(i, Solid::HEADER_LEN))?.bounds)
 }
 
+/// The box within which a point may be of a solid.
+pub fn near_solid(args: &Args, i: usize) -> Result<Aabb> {
+    Ok(of_solid(args, i)?.expanded(JOIN_MARGIN_M))
+}
+
 /// For a scan the box that counts is the hull of its beams, origin included.
 pub fn of_scan(args: &Args, i: usize) -> Result<Aabb> {
     Ok(Header::read(args.prefix(i, Header::LEN))?.hull)
 }
 
-type BoxOf = fn(&Args, usize) -> Result<Aabb>;
+/// A point grown by [`INDEX_SIGMAS`].
+pub fn of_point(args: &Args, i: usize) -> Result<Aabb> {
+    Ok(uncertain::value::<Point, 9>(args, i).bounds(INDEX_SIGMAS))
+}
+
+fn of_line(args: &Args, i: usize) -> Result<Aabb> {
+    Ok(uncertain::value::<Line, 27>(args, i).bounds(INDEX_SIGMAS))
+}
+
+/// How to find the box of an argument.
+pub type BoxOf = fn(&Args, usize) -> Result<Aabb>;
 
 fn overlaps(args: &Args, left: BoxOf, right: BoxOf) -> Result<Ret> {
     Ok(Ret::Bool(left(args, 0)?.overlaps(&right(args, 1)?)))
@@ -37,4 +57,12 @@ sql_functions! {
     fn ab_overlaps_scan_box(args) { overlaps(args, of_scan, of_box) }
     fn ab_overlaps_scan_solid(args) { overlaps(args, of_scan, of_solid) }
     fn ab_overlaps_scan_scan(args) { overlaps(args, of_scan, of_scan) }
+
+    fn ab_overlaps_solid_point(args) { overlaps(args, near_solid, of_point) }
+    fn ab_overlaps_point_solid(args) { overlaps(args, of_point, near_solid) }
+    fn ab_overlaps_point_box(args) { overlaps(args, of_point, of_box) }
+    fn ab_overlaps_point_point(args) { overlaps(args, of_point, of_point) }
+    fn ab_overlaps_line_box(args) { overlaps(args, of_line, of_box) }
+    fn ab_overlaps_box_point(args) { overlaps(args, of_box, of_point) }
+    fn ab_overlaps_box_line(args) { overlaps(args, of_box, of_line) }
 }

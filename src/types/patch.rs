@@ -1,10 +1,11 @@
 //! Patches taken apart, filtered, thinned, moved, joined.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Header, Patch};
+use asbuilt_core::scan::Patch;
 use asbuilt_core::uncertain::Pose;
 use asbuilt_core::{Error, Result};
 
+use super::scan::header;
 use super::{box_from, uncertain};
 use crate::pg::{Args, Field, Ret, Rows, interrupt, sql_functions};
 
@@ -18,7 +19,7 @@ fn retiled(args: &Args) -> Result<Vec<Patch>> {
 
 sql_functions! {
     fn ab_scan_cone(args) {
-        let h = Header::read(args.prefix(0, Header::LEN))?;
+        let h = header(args)?;
         if !h.has_origin() {
             return Ok(Ret::Row(vec![Field::Null, Field::Null]));
         }
@@ -26,7 +27,7 @@ sql_functions! {
     }
 
     fn ab_scan_range(args) {
-        let h = Header::read(args.prefix(0, Header::LEN))?;
+        let h = header(args)?;
         let [nearest, farthest] = h.range.map(|r| if h.returns > 0 { Field::F64(f64::from(r)) } else { Field::Null });
         Ok(Ret::Row(vec![nearest, farthest]))
     }
@@ -81,7 +82,6 @@ sql_functions! {
         if !(margin >= 0.0 && margin.is_finite()) {
             return Err(Error::argument("the margin", "0 or more, and finite", margin));
         }
-        let header = Header::read(args.prefix(0, Header::LEN))?;
-        Ok(Ret::Bool(header.sees(&box_from(&args.fixed(1)), margin)))
+        Ok(Ret::Bool(header(args)?.sees(&box_from(&args.fixed(1)), margin)))
     }
 }

@@ -1,18 +1,9 @@
 //! `@>`, `<@`, `~=` and `<->` between whatever has a box and an `ab_box`; only headers are read.
 
 use asbuilt_core::Result;
-use asbuilt_core::geometry::Aabb;
 
-use super::box_from;
-use super::overlap::{of_scan, of_solid};
-use super::uncertain::point_box;
+use super::overlap::{BoxOf, of_box, of_point, of_scan, of_solid};
 use crate::pg::{Args, Ret, sql_functions};
-
-fn of_box(args: &Args, i: usize) -> Result<Aabb> {
-    Ok(box_from(&args.fixed(i)))
-}
-
-type BoxOf = fn(&Args, usize) -> Result<Aabb>;
 
 fn contains(args: &Args, left: BoxOf) -> Result<Ret> {
     Ok(Ret::Bool(left(args, 0)?.contains(&of_box(args, 1)?)))
@@ -45,8 +36,8 @@ sql_functions! {
     fn ab_scan_same(args) { same(args, of_scan) }
     fn ab_scan_distance(args) { distance(args, of_scan) }
 
-    fn ab_point_contains(args) { contains(args, point_box) }
-    fn ab_point_contained(args) { contained(args, point_box) }
-    fn ab_point_same(args) { same(args, point_box) }
-    fn ab_point_distance(args) { distance(args, point_box) }
+    fn ab_point_contains(args) { contains(args, of_point) }
+    fn ab_point_contained(args) { contained(args, of_point) }
+    fn ab_point_same(args) { same(args, of_point) }
+    fn ab_point_distance(args) { distance(args, of_point) }
 }

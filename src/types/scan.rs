@@ -11,7 +11,8 @@ use crate::pg::{Args, Ret, sql_functions};
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_scan:1:";
 
-fn header(args: &Args) -> Result<Header> {
+/// The header of the patch in argument 0.
+pub fn header(args: &Args) -> Result<Header> {
     Header::read(args.prefix(0, Header::LEN))
 }
 

@@ -10,4 +10,3 @@ mod pose;
 mod relations;
 
 pub use io::{ret, value};
-pub use point::{INDEX_SIGMAS, overlap_box, point_box};

@@ -1,42 +1,16 @@
 //! `ab_point`: constructor, accessors, confidence regions, search.
 
-use asbuilt_core::geometry::{Aabb, Solid, Vec3};
-use asbuilt_core::scan::JOIN_MARGIN_M;
+use asbuilt_core::Error;
+use asbuilt_core::geometry::Vec3;
 use asbuilt_core::uncertain::{Line, Point};
-use asbuilt_core::{Error, Result};
 
 use super::{ret, value};
 use crate::pg::{Args, Field, Ret, Rows, sql_functions};
-use crate::types::{box_bytes, box_from};
-
-/// Standard deviations by which an index grows a point or line: searches up to this many are served.
-pub const INDEX_SIGMAS: f64 = 5.0;
+use crate::types::box_bytes;
+use crate::types::overlap::INDEX_SIGMAS;
 
 pub(super) fn point(args: &Args, i: usize) -> Point {
     value(args, i)
-}
-
-/// The box that stands for an object of SQL type `ty` in `&&` and in indexes.
-pub fn overlap_box(args: &Args, i: usize, ty: &str) -> Aabb {
-    match ty {
-        "point" => point(args, i).bounds(INDEX_SIGMAS),
-        "line" => value::<Line, 27>(args, i).bounds(INDEX_SIGMAS),
-        _ => box_from(&args.fixed(i)),
-    }
-}
-
-/// The box of the point in argument `i`, as indexes hold it.
-pub fn point_box(args: &Args, i: usize) -> Result<Aabb> {
-    Ok(overlap_box(args, i, "point"))
-}
-
-fn overlap(args: &Args, left: &str, right: &str) -> Result<Ret> {
-    Ok(Ret::Bool(overlap_box(args, 0, left).overlaps(&overlap_box(args, 1, right))))
-}
-
-/// The box within which a point may be of the solid in argument `i`.
-fn near_solid(args: &Args, i: usize) -> Result<Aabb> {
-    Ok(Solid::header(args.prefix(i, Solid::HEADER_LEN))?.bounds.expanded(JOIN_MARGIN_M))
 }
 
 fn sd(p: &Point) -> [f64; 3] {
@@ -93,12 +67,4 @@ sql_functions! {
         }
         Ok(Ret::Fixed(box_bytes(&point(args, 0).bounds(sigmas))))
     }
-
-    fn ab_overlaps_solid_point(args) { Ok(Ret::Bool(near_solid(args, 0)?.overlaps(&overlap_box(args, 1, "point")))) }
-    fn ab_overlaps_point_solid(args) { Ok(Ret::Bool(near_solid(args, 1)?.overlaps(&overlap_box(args, 0, "point")))) }
-    fn ab_overlaps_point_box(args) { overlap(args, "point", "box") }
-    fn ab_overlaps_point_point(args) { overlap(args, "point", "point") }
-    fn ab_overlaps_line_box(args) { overlap(args, "line", "box") }
-    fn ab_overlaps_box_point(args) { overlap(args, "box", "point") }
-    fn ab_overlaps_box_line(args) { overlap(args, "box", "line") }
 }

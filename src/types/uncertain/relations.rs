@@ -22,77 +22,29 @@ fn holds(args: &Args, t: &Test) -> Result<Ret> {
     }
 }
 
-fn same_point(args: &Args) -> Test {
-    test::same_point(&point(args, 0), &point(args, 1))
+/// Declares both SQL functions of each relation: the test as a row, and as yes or no.
+macro_rules! relations {
+    ($($row:ident, $holds:ident = $test:ident($left:ident, $right:ident);)*) => {
+        sql_functions! {
+            $(
+                fn $row(args) { row(&test::$test(&$left(args, 0), &$right(args, 1))) }
+                fn $holds(args) { holds(args, &test::$test(&$left(args, 0), &$right(args, 1))) }
+            )*
+        }
+    };
 }
 
-fn same_plane(args: &Args) -> Test {
-    test::same_plane(&plane(args, 0), &plane(args, 1))
-}
-
-fn point_line(args: &Args) -> Test {
-    test::point_on_line(&point(args, 0), &line(args, 1))
-}
-
-fn point_plane(args: &Args) -> Test {
-    test::point_on_plane(&point(args, 0), &plane(args, 1))
-}
-
-fn line_plane(args: &Args) -> Test {
-    test::line_in_plane(&line(args, 0), &plane(args, 1))
-}
-
-fn parallel_lines(args: &Args) -> Test {
-    test::parallel_lines(&line(args, 0), &line(args, 1))
-}
-
-fn parallel_planes(args: &Args) -> Test {
-    test::parallel_planes(&plane(args, 0), &plane(args, 1))
-}
-
-fn parallel_line_plane(args: &Args) -> Test {
-    test::line_parallel_plane(&line(args, 0), &plane(args, 1))
-}
-
-fn orthogonal_lines(args: &Args) -> Test {
-    test::orthogonal_lines(&line(args, 0), &line(args, 1))
-}
-
-fn orthogonal_planes(args: &Args) -> Test {
-    test::orthogonal_planes(&plane(args, 0), &plane(args, 1))
-}
-
-fn orthogonal_line_plane(args: &Args) -> Test {
-    test::line_orthogonal_plane(&line(args, 0), &plane(args, 1))
-}
-
-fn coplanar_lines(args: &Args) -> Test {
-    test::coplanar(&line(args, 0), &line(args, 1))
-}
-
-sql_functions! {
-    fn ab_test_same_point(args) { row(&same_point(args)) }
-    fn ab_is_same_point(args) { holds(args, &same_point(args)) }
-    fn ab_test_same_plane(args) { row(&same_plane(args)) }
-    fn ab_is_same_plane(args) { holds(args, &same_plane(args)) }
-    fn ab_test_point_line(args) { row(&point_line(args)) }
-    fn ab_is_point_line(args) { holds(args, &point_line(args)) }
-    fn ab_test_point_plane(args) { row(&point_plane(args)) }
-    fn ab_is_point_plane(args) { holds(args, &point_plane(args)) }
-    fn ab_test_line_plane(args) { row(&line_plane(args)) }
-    fn ab_is_line_plane(args) { holds(args, &line_plane(args)) }
-    fn ab_test_parallel_lines(args) { row(&parallel_lines(args)) }
-    fn ab_is_parallel_lines(args) { holds(args, &parallel_lines(args)) }
-    fn ab_test_parallel_planes(args) { row(&parallel_planes(args)) }
-    fn ab_is_parallel_planes(args) { holds(args, &parallel_planes(args)) }
-    fn ab_test_parallel_line_plane(args) { row(&parallel_line_plane(args)) }
-    fn ab_is_parallel_line_plane(args) { holds(args, &parallel_line_plane(args)) }
-    fn ab_test_orthogonal_lines(args) { row(&orthogonal_lines(args)) }
-    fn ab_is_orthogonal_lines(args) { holds(args, &orthogonal_lines(args)) }
-    fn ab_test_orthogonal_planes(args) { row(&orthogonal_planes(args)) }
-    fn ab_is_orthogonal_planes(args) { holds(args, &orthogonal_planes(args)) }
-    fn ab_test_orthogonal_line_plane(args) { row(&orthogonal_line_plane(args)) }
-    fn ab_is_orthogonal_line_plane(args) { holds(args, &orthogonal_line_plane(args)) }
-    fn ab_test_coplanar_lines(args) { row(&coplanar_lines(args)) }
-    fn ab_is_coplanar_lines(args) { holds(args, &coplanar_lines(args)) }
+relations! {
+    ab_test_same_point, ab_is_same_point = same_point(point, point);
+    ab_test_same_plane, ab_is_same_plane = same_plane(plane, plane);
+    ab_test_point_line, ab_is_point_line = point_on_line(point, line);
+    ab_test_point_plane, ab_is_point_plane = point_on_plane(point, plane);
+    ab_test_line_plane, ab_is_line_plane = line_in_plane(line, plane);
+    ab_test_parallel_lines, ab_is_parallel_lines = parallel_lines(line, line);
+    ab_test_parallel_planes, ab_is_parallel_planes = parallel_planes(plane, plane);
+    ab_test_parallel_line_plane, ab_is_parallel_line_plane = line_parallel_plane(line, plane);
+    ab_test_orthogonal_lines, ab_is_orthogonal_lines = orthogonal_lines(line, line);
+    ab_test_orthogonal_planes, ab_is_orthogonal_planes = orthogonal_planes(plane, plane);
+    ab_test_orthogonal_line_plane, ab_is_orthogonal_line_plane = line_orthogonal_plane(line, plane);
+    ab_test_coplanar_lines, ab_is_coplanar_lines = coplanar(line, line);
 }

@@ -1,7 +1,7 @@
 //! The tables of the tour.
 
 use anyhow::{Result, bail};
-use postgres::{Client, Transaction};
+use postgres::{Client, GenericClient, Transaction};
 
 use super::connect::explain;
 
@@ -60,17 +60,14 @@ pub fn make(client: &mut Client) -> Result<()> {
     // Loaders that start together would race for the catalogue.
     tx.execute("SELECT pg_advisory_xact_lock(hashtext('asbuilt tables'))", &[]).map_err(explain)?;
     tx.batch_execute("CREATE EXTENSION IF NOT EXISTS asbuilt").map_err(explain)?;
-    tx.commit().map_err(explain)?;
-    check_search_path(client)?;
-    let mut tx = client.transaction().map_err(explain)?;
-    tx.execute("SELECT pg_advisory_xact_lock(hashtext('asbuilt tables'))", &[]).map_err(explain)?;
+    check_search_path(&mut tx)?;
     for (_, ddl) in missing(&mut tx)? {
         tx.batch_execute(ddl).map_err(explain)?;
     }
     tx.commit().map_err(explain)
 }
 
-fn missing(client: &mut impl postgres::GenericClient) -> Result<Vec<(&'static str, &'static str)>> {
+fn missing(client: &mut impl GenericClient) -> Result<Vec<(&'static str, &'static str)>> {
     let mut out = Vec::new();
     for table in TABLES {
         let row = client.query_one("SELECT to_regclass($1) IS NULL", &[&table.0]).map_err(explain)?;
@@ -81,13 +78,13 @@ fn missing(client: &mut impl postgres::GenericClient) -> Result<Vec<(&'static st
     Ok(out)
 }
 
-fn extension_schema(client: &mut Client) -> Result<Option<String>> {
+fn extension_schema(client: &mut impl GenericClient) -> Result<Option<String>> {
     let schema = "SELECT extnamespace::regnamespace::text FROM pg_extension WHERE extname = 'asbuilt'";
     Ok(client.query_opt(schema, &[]).map_err(explain)?.map(|r| r.get(0)))
 }
 
 /// The extension may live in a schema that the session does not look into.
-pub fn check_search_path(client: &mut Client) -> Result<()> {
+pub fn check_search_path(client: &mut impl GenericClient) -> Result<()> {
     let Some(schema) = extension_schema(client)? else {
         bail!("this database has no extension asbuilt; an owner of it can: CREATE EXTENSION asbuilt");
     };

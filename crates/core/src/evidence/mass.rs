@@ -78,12 +78,28 @@ impl Mass {
         Self { occupied: alpha * self.occupied, empty: alpha * self.empty, unknown }
     }
 
+    /// [`Mass::discounted`] by a number that may be no reliability.
+    pub fn discount(&self, reliability: f64) -> Result<Self> {
+        if (0.0..=1.0).contains(&reliability) {
+            Ok(self.discounted(reliability))
+        } else {
+            Err(Error::argument("the reliability", "between 0 and 1", reliability))
+        }
+    }
+
+    /// The conjunctive rule: Dempster's before conflict is divided out.
+    pub(super) fn conjunctive(&self, other: &Self) -> Self {
+        let (a, b) = (self, other);
+        Self {
+            occupied: a.occupied * (b.occupied + b.unknown) + a.unknown * b.occupied,
+            empty: a.empty * (b.empty + b.unknown) + a.unknown * b.empty,
+            unknown: a.unknown * b.unknown,
+        }
+    }
+
     /// Dempster's rule (M 5.14-5.18) for distinct sources; [`Error::TotalConflict`] when they exclude each other.
     pub fn combine(&self, other: &Self) -> Result<Self> {
-        let (a, b) = (self, other);
-        let occupied = a.occupied * (b.occupied + b.unknown) + a.unknown * b.occupied;
-        let empty = a.empty * (b.empty + b.unknown) + a.unknown * b.empty;
-        let unknown = a.unknown * b.unknown;
+        let Self { occupied, empty, unknown } = self.conjunctive(other);
         let sum = occupied + empty + unknown;
         if sum <= 0.0 {
             return Err(Error::TotalConflict);

@@ -66,9 +66,9 @@ impl Rule {
     pub fn combine(self, a: &Mass, b: &Mass) -> Result<Mass> {
         match self {
             Self::Dempster => a.combine(b),
-            Self::Conjunctive => Ok(conjunctive(a, b)),
+            Self::Conjunctive => Ok(a.conjunctive(b)),
             Self::Disjunctive => Ok(disjunctive(a, b)),
-            Self::Yager | Self::DuboisPrade => Ok(conjunctive(a, b).with_conflict_unknown()),
+            Self::Yager | Self::DuboisPrade => Ok(a.conjunctive(b).with_conflict_unknown()),
             Self::Pcr6 => Ok(pcr5(a, b)),
             Self::Murphy => {
                 let mean = |f: fn(&Mass) -> f64| 0.5 * (f(a) + f(b));
@@ -83,14 +83,6 @@ impl Rule {
     }
 }
 
-fn conjunctive(a: &Mass, b: &Mass) -> Mass {
-    Mass {
-        occupied: a.occupied * (b.occupied + b.unknown) + a.unknown * b.occupied,
-        empty: a.empty * (b.empty + b.unknown) + a.unknown * b.empty,
-        unknown: a.unknown * b.unknown,
-    }
-}
-
 fn disjunctive(a: &Mass, b: &Mass) -> Mass {
     let (none_a, none_b) = (a.contradiction(), b.contradiction());
     let both = |x: f64, y: f64| x * y + x * none_b + none_a * y;
@@ -99,7 +91,7 @@ fn disjunctive(a: &Mass, b: &Mass) -> Mass {
 }
 
 fn pcr5(a: &Mass, b: &Mass) -> Mass {
-    let mut m = conjunctive(a, b);
+    let mut m = a.conjunctive(b);
     for (o, e) in [(a.occupied, b.empty), (b.occupied, a.empty)] {
         if o + e > 0.0 {
             let share = o * e / (o + e);
