@@ -37,7 +37,9 @@ CREATE FUNCTION ab_point_of(numbers float8[]) RETURNS ab_point
 COMMENT ON FUNCTION ab_point_of(float8[]) IS 'From its coordinates alone (exact) or from all its numbers';
 
 CREATE CAST (ab_point AS float8[]) WITH FUNCTION ab_numbers(ab_point);
+COMMENT ON CAST (ab_point AS float8[]) IS 'All its numbers';
 CREATE CAST (float8[] AS ab_point) WITH FUNCTION ab_point_of(float8[]);
+COMMENT ON CAST (float8[] AS ab_point) IS 'From its coordinates alone (exact) or from all its numbers';
 
 CREATE FUNCTION ab_covariance(point ab_point) RETURNS float8[]
     AS 'MODULE_PATHNAME', 'ab_point_covariance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
@@ -52,7 +54,9 @@ CREATE FUNCTION ab_line_of(numbers float8[]) RETURNS ab_line
 COMMENT ON FUNCTION ab_line_of(float8[]) IS 'From its coordinates alone (exact) or from all its numbers';
 
 CREATE CAST (ab_line AS float8[]) WITH FUNCTION ab_numbers(ab_line);
+COMMENT ON CAST (ab_line AS float8[]) IS 'All its numbers';
 CREATE CAST (float8[] AS ab_line) WITH FUNCTION ab_line_of(float8[]);
+COMMENT ON CAST (float8[] AS ab_line) IS 'From its coordinates alone (exact) or from all its numbers';
 
 CREATE FUNCTION ab_covariance(line ab_line) RETURNS float8[]
     AS 'MODULE_PATHNAME', 'ab_line_covariance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
@@ -67,7 +71,9 @@ CREATE FUNCTION ab_plane_of(numbers float8[]) RETURNS ab_plane
 COMMENT ON FUNCTION ab_plane_of(float8[]) IS 'From its coordinates alone (exact) or from all its numbers';
 
 CREATE CAST (ab_plane AS float8[]) WITH FUNCTION ab_numbers(ab_plane);
+COMMENT ON CAST (ab_plane AS float8[]) IS 'All its numbers';
 CREATE CAST (float8[] AS ab_plane) WITH FUNCTION ab_plane_of(float8[]);
+COMMENT ON CAST (float8[] AS ab_plane) IS 'From its coordinates alone (exact) or from all its numbers';
 
 CREATE FUNCTION ab_covariance(plane ab_plane) RETURNS float8[]
     AS 'MODULE_PATHNAME', 'ab_plane_covariance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
@@ -82,7 +88,9 @@ CREATE FUNCTION ab_pose_of(numbers float8[]) RETURNS ab_pose
 COMMENT ON FUNCTION ab_pose_of(float8[]) IS 'From its coordinates alone (exact) or from all its numbers';
 
 CREATE CAST (ab_pose AS float8[]) WITH FUNCTION ab_numbers(ab_pose);
+COMMENT ON CAST (ab_pose AS float8[]) IS 'All its numbers';
 CREATE CAST (float8[] AS ab_pose) WITH FUNCTION ab_pose_of(float8[]);
+COMMENT ON CAST (float8[] AS ab_pose) IS 'From its coordinates alone (exact) or from all its numbers';
 
 CREATE FUNCTION ab_covariance(pose ab_pose) RETURNS float8[]
     AS 'MODULE_PATHNAME', 'ab_pose_covariance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;

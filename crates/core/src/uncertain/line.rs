@@ -24,7 +24,7 @@ impl Line {
     /// A segment whose joint covariance need not be exactly symmetric.
     pub fn new(start: Vec3, end: Vec3, covariance: &Matrix6<f64>) -> Result<Self> {
         let covariance = covariance::checked("the covariance of the line", covariance)?;
-        Self { start, end, covariance }.checked()
+        Self { start, end, covariance }.in_range()?.with_length()
     }
 
     /// The same line, unless its ends are one place.

@@ -28,7 +28,7 @@ impl Point {
     /// A point whose covariance need not be exactly symmetric.
     pub fn new(position: Vec3, covariance: &Matrix3<f64>) -> Result<Self> {
         let covariance = covariance::checked("the covariance of the point", covariance)?;
-        Self { position, covariance }.checked()
+        Self { position, covariance }.in_range()
     }
 
     /// The ellipsoid that holds the true point with `probability`: half-axes by falling length, metres, and their unit
