@@ -6,7 +6,7 @@ use asbuilt_core::scan::Header;
 use asbuilt_core::uncertain::{Line, Point, Stored};
 
 use crate::pg::{Args, KeyVector, PickSplit, Ret, sql_functions};
-use crate::types::overlap::{INDEX_SIGMAS, near_solid, of_box, of_point, of_scan, of_solid};
+use crate::types::overlap::{INDEX_SIGMAS, near_solid, of_box, of_point, of_scan, of_solid, place};
 use crate::types::{BOX_LEN, box_bytes, box_from};
 
 /// Strategy numbers: `&&` with each right-hand type, the same in every opclass.
@@ -19,6 +19,8 @@ const POINT_OVERLAPS_SOLID: i16 = 5;
 const CONTAINS: i16 = 10;
 const CONTAINED: i16 = 11;
 const SAME: i16 = 12;
+/// `<->` with a box (13) or a point.
+const DISTANCE_TO_POINT: i16 = 14;
 
 fn key(args: &Args, i: usize) -> Aabb {
     box_from(&args.entry_key::<BOX_LEN>(i))
@@ -35,6 +37,15 @@ fn query(args: &Args, strategy: i16) -> asbuilt_core::Result<Aabb> {
     }
 }
 
+fn nearest(args: &Args, recheck: bool) -> asbuilt_core::Result<Ret> {
+    args.set_flag(4, recheck);
+    let query = match args.i16(2) {
+        DISTANCE_TO_POINT => place(args, 1)?,
+        _ => of_box(args, 1)?,
+    };
+    Ok(Ret::F64(key(args, 0).distance(&query)))
+}
+
 sql_functions! {
     /// consistent(entry, query, strategy, subtype, recheck)
     fn ab_gist_consistent(args) {
@@ -47,11 +58,12 @@ sql_functions! {
         }))
     }
 
-    /// distance(entry, query, strategy, subtype, recheck): to the key, which holds everything below it.
-    fn ab_gist_distance(args) {
-        args.set_flag(4, false);
-        Ok(Ret::F64(key(args, 0).distance(&box_from(&args.fixed(1)))))
-    }
+    /// distance(entry, query, strategy, subtype, recheck): to the key, which holds everything below it. Boxes and solids
+    /// are as near as their keys.
+    fn ab_gist_distance(args) { nearest(args, false) }
+
+    /// The same where the operator measures to what is smaller than the key: the returns of a patch, the place of a point.
+    fn ab_gist_distance_lossy(args) { nearest(args, true) }
 
     /// union(vector, size)
     fn ab_gist_union(args) {

@@ -58,6 +58,11 @@ impl Args {
         self.datum(i).value() as i64
     }
 
+    /// An `integer`.
+    pub fn i32(&self, i: usize) -> i32 {
+        self.datum(i).value() as i32
+    }
+
     /// A `smallint`.
     pub fn i16(&self, i: usize) -> i16 {
         self.datum(i).value() as i16
@@ -175,12 +180,30 @@ impl Args {
         array::triples(&dims, &values, what)
     }
 
+    /// An `int4[]` of one dimension with `N` elements.
+    pub fn i32_vector<const N: usize>(&self, i: usize, what: &'static str) -> Result<[i32; N]> {
+        let values = self.i32_list(i, what)?;
+        let n = values.len();
+        values.try_into().map_err(|_| Error::argument(what, "an array of three numbers", format!("one of {n}")))
+    }
+
+    /// An `int4[]` of one dimension.
+    pub fn i32_list(&self, i: usize, what: &'static str) -> Result<Vec<i32>> {
+        let (dims, values) = unsafe { array::read(self.datum(i), what) }?;
+        if dims.len() <= 1 {
+            Ok(values)
+        } else {
+            Err(Error::argument(what, "an array of one dimension", array::shape(&dims)))
+        }
+    }
+
     /// An array of one of our variable-length types; NULL elements are passed over.
     pub fn bytes_array(&self, i: usize, what: &'static str) -> Result<Vec<&[u8]>> {
         unsafe { array::read_varlenas(self.datum(i), what) }
     }
 
-    fn f64_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<f64>)> {
+    /// Dimensions and elements of a `float8[]`.
+    pub fn f64_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<f64>)> {
         unsafe { array::read(self.datum(i), what) }
     }
 }

@@ -28,6 +28,8 @@ pub enum Field {
     Vector([f64; 3]),
     /// `float8[]` with dimensions.
     Array(Vec<f64>, Vec<i32>),
+    /// `integer[]` of one dimension.
+    I32Array(Vec<i32>),
     /// `boolean`.
     Bool(bool),
     /// A fixed-length type passed by reference.
@@ -51,6 +53,7 @@ impl Field {
             Self::Loa(l) => pg_sys::Datum::from(enum_value(column_type, l.name())),
             Self::Vector(v) => array::of_f64(v, &[3]),
             Self::Array(v, dims) => array::of_f64(v, dims),
+            Self::I32Array(v) => array::of_i32(v, &[v.len() as i32]),
             Self::Bool(b) => pg_sys::Datum::from(*b),
             Self::Fixed(b) => fixed(b),
         })

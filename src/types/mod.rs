@@ -10,6 +10,7 @@ mod loa;
 mod mass;
 pub mod overlap;
 mod patch;
+pub mod planes;
 mod relation;
 mod samples;
 mod scan;

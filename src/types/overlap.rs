@@ -36,6 +36,12 @@ pub fn of_point(args: &Args, i: usize) -> Result<Aabb> {
     Ok(uncertain::value::<Point, 9>(args, i).bounds(INDEX_SIGMAS))
 }
 
+/// A point where it is said to be, however uncertain.
+pub fn place(args: &Args, i: usize) -> Result<Aabb> {
+    let at = uncertain::value::<Point, 9>(args, i).position.into();
+    Ok(Aabb { min: at, max: at })
+}
+
 fn of_line(args: &Args, i: usize) -> Result<Aabb> {
     Ok(uncertain::value::<Line, 27>(args, i).bounds(INDEX_SIGMAS))
 }

@@ -1,7 +1,6 @@
 //! Patches taken apart, filtered, thinned, moved, joined.
 
-use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::Patch;
+use asbuilt_core::scan::{Origins, Patch};
 use asbuilt_core::uncertain::Pose;
 use asbuilt_core::{Error, Result};
 
@@ -20,7 +19,7 @@ fn retiled(args: &Args) -> Result<Vec<Patch>> {
 sql_functions! {
     fn ab_scan_cone(args) {
         let h = header(args)?;
-        if !h.has_origin() {
+        if h.origins() != Origins::One {
             return Ok(Ret::Row(vec![Field::Null, Field::Null]));
         }
         Ok(Ret::Row(vec![Field::Vector(h.cone.axis.into()), Field::F64(h.cone.half_angle)]))
@@ -35,16 +34,18 @@ sql_functions! {
     /// ab_beams(patch): what did not return has a direction only.
     fn ab_scan_beams(args) {
         let mut rows = Rows::new(args)?;
-        let (header, beams) = Patch::beams_of(args.bytes(0))?;
-        for b in beams {
+        let (header, content) = Patch::content_of(args.bytes(0))?;
+        let has_rays = header.origins() != Origins::Unknown;
+        for (i, b) in content.beams.iter().enumerate() {
             let range = b.offset.norm();
-            let direction = || Field::Vector((b.offset / range).into());
-            let returned = |field: Field| if b.returned { field } else { Field::Null };
+            let when = |there: bool, field: Field| if there { field } else { Field::Null };
             rows.push(&[
-                if header.has_origin() { Field::Vector(header.origin.into()) } else { Field::Null },
-                returned(Field::Vector(Vec3::into(b.offset + header.origin))),
-                if header.has_origin() && range > 0.0 { direction() } else { Field::Null },
-                if header.has_origin() { returned(Field::F64(range)) } else { Field::Null },
+                when(has_rays, Field::Vector((header.origin + content.start(i)).into())),
+                when(b.returned, Field::Vector((header.origin + content.end(i)).into())),
+                when(has_rays && range > 0.0, Field::Vector((b.offset / range).into())),
+                when(has_rays && b.returned, Field::F64(range)),
+                Field::or_null(content.intensity.as_ref(), |p| Field::I32(p[i].into())),
+                Field::or_null(content.colour.as_ref(), |p| Field::I32Array(p[i].map(i32::from).to_vec())),
             ]);
         }
         Ok(Ret::Null)
@@ -66,6 +67,10 @@ sql_functions! {
     fn ab_transform_scan(args) {
         let pose: Pose = uncertain::value(args, 1);
         Ok(Ret::Bytes(Patch::moved(args.bytes(0), &pose)?.to_bytes()))
+    }
+
+    fn ab_scan_union(args) {
+        or_null(Patch::union(&args.bytes_array(0, "the patches")?, &interrupt)?)
     }
 
     fn ab_scan_retile(args) {

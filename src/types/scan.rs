@@ -1,11 +1,12 @@
 //! `ab_scan`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Header, MAX_BEAMS, Patch, mean_step};
+use asbuilt_core::scan::{Beam, Content, Header, Origins, Patch, Setting, angular_spacing, mean_step, spacing};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
 use super::hex::{hex_in, hex_out};
+use super::planes;
 use crate::pg::{Args, Ret, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
@@ -16,21 +17,61 @@ pub fn header(args: &Args) -> Result<Header> {
     Header::read(args.prefix(0, Header::LEN))
 }
 
-/// ab_scan(origin, points, step, station, quantum)
+/// Directions of beams where nothing came back need an origin; they follow the returns and have neither intensity nor
+/// colour.
 fn from_arrays(args: &Args) -> Result<Patch> {
-    let origin = Vec3::from(args.vector::<3>(0, "the origin")?);
+    let (origins, starts) = origins(args)?;
+    let (origin, station, quantum) = (starts[0], args.i64(3), args.f64(4));
     let points = args.f64_triples(1, "the points")?;
-    if points.len() > MAX_BEAMS {
-        return Err(Error::Limit {
-            what: "the number of beams of a patch",
-            value: points.len().to_string(),
-            limit: MAX_BEAMS.to_string(),
-        });
+    if origins == Origins::Each && starts.len() != points.len() {
+        let given = format!("{} for {} points", starts.len(), points.len());
+        return Err(Error::argument("the origins", "one, or one for every point", given));
     }
-    let beams: Vec<Beam> =
-        points.into_iter().map(|p| Beam { offset: Vec3::from(p) - origin, returned: true }).collect();
-    let step = if args.is_null(2) { mean_step(&beams) } else { args.f64(2) };
-    Patch::encode(args.i64(3), origin, step, args.f64(4), &beams)
+    let start = |i: usize| if origins == Origins::Each { starts[i] } else { origin };
+    let returned = |(i, p): (usize, [f64; 3])| Beam { offset: Vec3::from(p) - start(i), returned: true };
+    let mut content = Content::of(points.into_iter().enumerate().map(returned).collect());
+    content.intensity = planes::intensity(args, 5)?;
+    content.colour = planes::colour(args, 6)?;
+    if origins == Origins::Each {
+        content.starts = Some(starts.iter().map(|s| s - origin).collect());
+    }
+    if !args.is_null(7) {
+        let directions = args.f64_triples(7, "the directions without return")?;
+        if origins == Origins::Each {
+            return Err(Error::argument("beams without return", "of one origin", "of several"));
+        }
+        content.intensity.iter_mut().for_each(|p| p.resize(p.len() + directions.len(), 0));
+        content.colour.iter_mut().for_each(|p| p.resize(p.len() + directions.len(), [0; 3]));
+        content.beams.extend(directions.into_iter().map(|d| Beam { offset: d.into(), returned: false }));
+    }
+    let step = match (args.is_null(2), origins) {
+        (false, _) => args.f64(2),
+        (true, Origins::One) => mean_step(&content.beams),
+        (true, _) => angular_spacing(&content),
+    };
+    Patch::pack(&Setting { origins, station, origin, step, quantum }, &content)
+}
+
+/// One origin, or as many as the array has rows; at least one.
+fn origins(args: &Args) -> Result<(Origins, Vec<Vec3>)> {
+    let (dims, _) = args.f64_array(0, "the origin")?;
+    if dims.len() < 2 {
+        return Ok((Origins::One, vec![args.vector::<3>(0, "the origin")?.into()]));
+    }
+    let starts: Vec<Vec3> = args.f64_triples(0, "the origins")?.into_iter().map(Vec3::from).collect();
+    if starts.is_empty() { Err(Error::Empty { what: "the list of origins" }) } else { Ok((Origins::Each, starts)) }
+}
+
+/// ab_cloud(points, spacing, station, quantum, intensity, colour)
+fn cloud(args: &Args) -> Result<Patch> {
+    let points: Vec<Vec3> = args.f64_triples(0, "the points")?.into_iter().map(Vec3::from).collect();
+    let origin = points.first().map_or_else(Vec3::zeros, |p| p.map(f64::round));
+    let step = if args.is_null(1) { spacing(&points) } else { args.f64(1) };
+    let mut content = Content::of(points.iter().map(|p| Beam { offset: p - origin, returned: true }).collect());
+    content.intensity = planes::intensity(args, 4)?;
+    content.colour = planes::colour(args, 5)?;
+    let (station, quantum) = (args.i64(2), args.f64(3));
+    Patch::pack(&Setting { origins: Origins::Unknown, station, origin, step, quantum }, &content)
 }
 
 sql_functions! {
@@ -58,6 +99,13 @@ sql_functions! {
         Ok(Ret::Bytes(from_arrays(args)?.to_bytes()))
     }
 
+    fn ab_scan_cloud(args) {
+        if [0, 2, 3].iter().any(|&i| args.is_null(i)) {
+            return Ok(Ret::Null);
+        }
+        Ok(Ret::Bytes(cloud(args)?.to_bytes()))
+    }
+
     fn ab_scan_box(args) {
         Ok(Ret::Fixed(box_bytes(&header(args)?.hull)))
     }
@@ -76,7 +124,7 @@ sql_functions! {
 
     fn ab_scan_origin(args) {
         let h = header(args)?;
-        Ok(if h.has_origin() { Ret::vector(h.origin) } else { Ret::Null })
+        Ok(if h.origins() == Origins::One { Ret::vector(h.origin) } else { Ret::Null })
     }
 
     fn ab_scan_station(args) {

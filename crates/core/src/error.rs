@@ -136,6 +136,9 @@ impl Error {
             Self::Limit { what, .. } if what.contains("offset") => {
                 "Use a coarser quantum, or give coordinates nearer the scanner.".into()
             }
+            Self::Limit { what, .. } if what.contains("union") => {
+                "Join fewer patches; ab_retile(patches) cuts many into tiles of neighbours.".into()
+            }
             Self::Limit { what, .. } if what.contains("cone") || what.contains("beams") => {
                 "Cut the beams into angular tiles first, as `asbuilt load` does.".into()
             }

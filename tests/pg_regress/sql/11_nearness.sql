@@ -26,13 +26,18 @@ SELECT op, count(*) > 5 AS some, count(*) FILTER (WHERE n <> 2) AS differ FROM (
 -- nearest first: the same distances in the same order as sorted
 SET enable_seqscan = off;
 EXPLAIN (COSTS OFF) SELECT id FROM thing ORDER BY c <-> ab_box(50, 50, 5, 50, 50, 5) LIMIT 10;
-SELECT col, max(abs(d - e)) < 1e-12 AS same_distances, count(*) FROM (
-    SELECT 'box' col, a.id, k.d, row_number() OVER (PARTITION BY a.id ORDER BY k.d) n FROM asked a, LATERAL (SELECT b <-> a.q d FROM thing ORDER BY b <-> a.q LIMIT 10) k
-    UNION ALL SELECT 'solid', a.id, k.d, row_number() OVER (PARTITION BY a.id ORDER BY k.d) FROM asked a, LATERAL (SELECT s <-> a.q d FROM thing ORDER BY s <-> a.q LIMIT 10) k
-    UNION ALL SELECT 'point', a.id, k.d, row_number() OVER (PARTITION BY a.id ORDER BY k.d) FROM asked a, LATERAL (SELECT p <-> a.q d FROM thing ORDER BY p <-> a.q LIMIT 10) k) i
-JOIN LATERAL (SELECT 1) one ON true
-JOIN LATERAL (SELECT e FROM (SELECT CASE i.col WHEN 'box' THEN ab_box_distance(b, q) WHEN 'solid' THEN ab_box_distance(s, q) ELSE ab_box_distance(p, q) END e FROM thing, (SELECT q FROM asked WHERE asked.id = i.id) z ORDER BY 1 LIMIT 10) y OFFSET i.n - 1 LIMIT 1) s ON true
-GROUP BY col ORDER BY col;
+CREATE FUNCTION nearest(col text, too text) RETURNS TABLE (question int, n bigint, d float8) LANGUAGE plpgsql AS $$
+BEGIN RETURN QUERY EXECUTE format('SELECT a.id, row_number() OVER (PARTITION BY a.id ORDER BY k.d), k.d FROM asked a, LATERAL (SELECT %1$I <-> %2$s AS d FROM thing ORDER BY %1$I <-> %2$s LIMIT 10) k', col, too); END $$;
+EXPLAIN (COSTS OFF) SELECT id FROM thing ORDER BY c <-> ab_point(50, 50, 5) LIMIT 10;
+CREATE TABLE near AS SELECT true AS by_index, col, too, f.* FROM unnest(ARRAY['b', 's', 'p', 'c']) col, unnest(ARRAY['a.q', 'ab_min(a.q)::ab_point']) too, nearest(col, too) f;
+SET enable_seqscan = on; SET enable_indexscan = off;
+INSERT INTO near SELECT false, col, too, f.* FROM unnest(ARRAY['b', 's', 'p', 'c']) col, unnest(ARRAY['a.q', 'ab_min(a.q)::ab_point']) too, nearest(col, too) f;
+RESET enable_indexscan;
+SELECT col, too, count(*), count(*) FILTER (WHERE a.d <> b.d) AS differ, count(*) FILTER (WHERE a.d > 0) > 100 AS apart FROM near a JOIN near b USING (col, too, question, n) WHERE a.by_index AND NOT b.by_index GROUP BY 1, 2 ORDER BY 1, 2;
+-- a patch is as near as its returns, not as its hull; nothing returned is infinitely far
+SELECT p <-> ab_point(0, 0, 0) AS returns, ab_box(p) <-> ab_point(0, 0, 0) AS hull, p <-> ab_box(4, 0, 0, 4, 0, 0) AS from_box FROM ab_scan(ARRAY[0,0,0], ARRAY[[5,0,0]]) p;
+SELECT ab_scan(ARRAY[0,0,0], ARRAY[]::float8[], no_return => ARRAY[[5,0,0]]) <-> ab_point(0, 0, 0) AS nothing;
+DROP TABLE near; DROP FUNCTION nearest;
 RESET enable_seqscan; RESET enable_nestloop;
 SELECT ab_box(0,0,0,3,3,3) @> ab_box(1,1,1,2,2,2) AS holds, ab_box(1,1,1,2,2,2) <@ ab_box(0,0,0,3,3,3) AS lies_in, ab_box(0,0,0,1,1,1) ~= ab_box(0,0,0,1,1,1) AS same,
        ab_box(0,0,0,1,1,1) <-> ab_box(4,5,1,9,9,9) AS distance, ab_box(0,0,0,9,9,9) @> ab_solid(ab_box(1,1,1,2,2,2)) AS holds_solid;

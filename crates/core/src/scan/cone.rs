@@ -12,6 +12,9 @@ pub struct Cone {
 }
 
 impl Cone {
+    /// All directions there are.
+    pub const EVERYWHERE: Self = Self { axis: Vec3::new(1.0, 0.0, 0.0), half_angle: 4.0 };
+
     /// A small cone around unit vectors: their mean direction, then the farthest of them.
     pub fn around(directions: &[Vec3]) -> Self {
         let sum: Vec3 = directions.iter().sum();

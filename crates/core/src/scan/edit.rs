@@ -3,18 +3,21 @@
 
 use std::collections::HashSet;
 
-use super::{Beam, Header, Patch, tiles};
+use super::{Content, Header, MAX_BEAMS, Origins, Patch, clusters, tiles};
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::uncertain::Pose;
 use crate::{Interrupt, poll_now_and_then};
 
+/// Beams cut anew in one call: they are in memory, unpacked.
+const MAX_RETILED: usize = 20_000_000;
+
 impl Patch {
-    /// The beams that `keep` says yes to; `None` where none is left.
-    pub fn filtered(bytes: &[u8], mut keep: impl FnMut(&Header, &Beam) -> bool) -> Result<Option<Self>> {
-        let (header, mut beams) = Self::beams_of(bytes)?;
-        beams.retain(|b| keep(&header, b));
-        if beams.is_empty() { Ok(None) } else { Self::alike(&header, &beams).map(Some) }
+    /// The beams that `keep` says yes to, by number; `None` where none is left.
+    pub fn filtered(bytes: &[u8], mut keep: impl FnMut(&Header, &Content, usize) -> bool) -> Result<Option<Self>> {
+        let (header, content) = Self::content_of(bytes)?;
+        let kept: Vec<u32> = (0..content.len() as u32).filter(|&i| keep(&header, &content, i as usize)).collect();
+        if kept.is_empty() { Ok(None) } else { Self::pack(&header.setting(), &content.select(&kept)).map(Some) }
     }
 
     /// Beams whose return lies in `bounds` (world metres).
@@ -22,12 +25,12 @@ impl Patch {
         if !Header::read(bytes)?.points.overlaps(bounds) {
             return Ok(None);
         }
-        Self::filtered(bytes, |h, b| b.returned && bounds.holds(&(b.offset + h.origin)))
+        Self::filtered(bytes, |h, c, i| c.beams[i].returned && bounds.holds(&(c.end(i) + h.origin)))
     }
 
     /// Beams whose return is at least `min` and at most `max` metres away.
     pub fn between(bytes: &[u8], min: f64, max: f64) -> Result<Option<Self>> {
-        Self::filtered(bytes, |_, b| b.returned && (min..=max).contains(&b.offset.norm()))
+        Self::filtered(bytes, |_, c, i| c.beams[i].returned && (min..=max).contains(&c.beams[i].offset.norm()))
     }
 
     /// The first beam of every cube of side `spacing` (metres, lattice of the reference system) that a return lies in,
@@ -37,68 +40,91 @@ impl Patch {
             return Err(Error::argument("the spacing", "positive and finite", spacing));
         }
         let mut taken = HashSet::new();
-        Self::filtered(bytes, |h, b| {
-            let cube: [i64; 3] = (b.offset + h.origin).map(|c| (c / spacing).floor() as i64).into();
-            !b.returned || taken.insert(cube)
+        Self::filtered(bytes, |h, c, i| {
+            let cube: [i64; 3] = (c.end(i) + h.origin).map(|x| (x / spacing).floor() as i64).into();
+            !c.beams[i].returned || taken.insert(cube)
         })
     }
 
     /// The patch seen through a pose; its covariance is not carried.
     pub fn moved(bytes: &[u8], pose: &Pose) -> Result<Self> {
-        let (mut header, mut beams) = Self::beams_of(bytes)?;
+        let (header, mut content) = Self::content_of(bytes)?;
         let linear = pose.matrix() * pose.scale;
-        beams.iter_mut().for_each(|b| b.offset = linear * b.offset);
-        header.origin = pose.apply(&header.origin);
-        if !header.has_origin() {
-            header.step *= pose.scale as f32;
+        content.beams.iter_mut().for_each(|b| b.offset = linear * b.offset);
+        content.starts.iter_mut().flatten().for_each(|s| *s = linear * *s);
+        let mut setting = header.setting();
+        setting.origin = pose.apply(&header.origin);
+        if setting.origins == Origins::Unknown {
+            setting.step *= pose.scale;
         }
-        Self::alike(&header, &beams)
+        Self::pack(&setting, &content)
     }
 
-    /// The beams of many patches of one station and origin, cut anew into tiles of neighbours.
+    /// Patches of one station as one.
+    pub fn union(patches: &[&[u8]], interrupt: Interrupt) -> Result<Option<Self>> {
+        let Some((header, content)) = joined(patches, MAX_BEAMS, interrupt)? else { return Ok(None) };
+        Self::pack(&header.setting(), &content).map(Some)
+    }
+
+    /// The beams of many patches of one station, cut anew into tiles of neighbours.
     pub fn retiled(patches: &[&[u8]], interrupt: Interrupt) -> Result<Vec<Self>> {
-        let mut first: Option<Header> = None;
-        let mut all = Vec::new();
-        for (i, bytes) in patches.iter().enumerate() {
-            poll_now_and_then(i, interrupt)?;
-            let (header, beams) = Self::beams_of(bytes)?;
-            let of = |h: &Header| (h.station, h.origin, h.has_origin());
-            match &first {
-                Some(f) if of(f) != of(&header) => {
-                    return Err(Error::argument("the patches of a union", "of one station and origin", "of several"));
-                }
-                Some(_) => {}
-                None => first = Some(header),
-            }
-            all.extend(beams);
-        }
-        let Some(header) = first else { return Ok(Vec::new()) };
-        tiles(&all)
-            .into_iter()
-            .map(|tile| Self::alike(&header, &tile.iter().map(|&i| all[i as usize]).collect::<Vec<_>>()))
+        let Some((header, content)) = joined(patches, MAX_RETILED, interrupt)? else { return Ok(Vec::new()) };
+        cut(&content, header.origins() == Origins::One)
+            .iter()
+            .map(|tile| Self::pack(&header.setting(), &content.select(tile)))
             .collect()
     }
+}
 
-    /// Packs beams as a patch of the same station, origin, step and quantum.
-    fn alike(header: &Header, beams: &[Beam]) -> Result<Self> {
-        let (station, step, quantum) = (header.station, f64::from(header.step), header.quantum);
-        if header.has_origin() {
-            return Self::encode(station, header.origin, step, quantum, beams);
-        }
-        let points: Vec<Vec3> = beams.iter().map(|b| b.offset + header.origin).collect();
-        Self::encode_cloud(station, header.origin, step, quantum, &points)
+/// Cuts by direction what was seen from one place, by place all else; beams of zero length are in no angular tile.
+fn cut(content: &Content, one_origin: bool) -> Vec<Vec<u32>> {
+    if one_origin {
+        return tiles(&content.beams);
     }
+    clusters(&(0..content.len()).map(|i| content.end(i)).collect::<Vec<Vec3>>())
+}
+
+/// All beams of patches of one station, from the first one's origin; `None` where there is no patch.
+fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option<(Header, Content)>> {
+    let mut all: Option<(Header, Content)> = None;
+    for (i, bytes) in patches.iter().enumerate() {
+        poll_now_and_then(i, interrupt)?;
+        let (header, mut content) = Patch::content_of(bytes)?;
+        let Some((first, joint)) = &mut all else {
+            all = Some((header, content));
+            continue;
+        };
+        let shift = header.origin - first.origin;
+        let one_origin = first.origins() == Origins::One;
+        if (first.station, first.origins()) != (header.station, header.origins())
+            || (one_origin && shift != Vec3::zeros())
+        {
+            return Err(Error::argument("the patches of a union", "of one station and origin", "of several"));
+        }
+        match &mut content.starts {
+            Some(starts) => starts.iter_mut().for_each(|s| *s += shift),
+            None => content.beams.iter_mut().for_each(|b| b.offset += shift),
+        }
+        if joint.len() + content.len() > most {
+            let value = format!("at least {}", joint.len() + content.len());
+            return Err(Error::Limit { what: "the number of beams of a union", value, limit: most.to_string() });
+        }
+        joint.append(content);
+    }
+    Ok(all)
 }
 
 impl Header {
     /// Whether a beam of the patch can come within `margin` metres of a box: by cone and range, against the ball around
     /// the box. Never says no where one does.
     pub fn sees(&self, bounds: &Aabb, margin: f64) -> bool {
-        if !self.has_origin() {
-            return self.points.expanded(margin).overlaps(bounds);
+        match self.origins() {
+            Origins::One => {}
+            Origins::Each => return self.hull.expanded(margin).overlaps(bounds),
+            Origins::Unknown => return self.points.expanded(margin).overlaps(bounds),
         }
         let offset = bounds.centre() - self.origin;
-        let radius = 0.5 * bounds.diagonal() + margin;
+        let radius = 0.5 * bounds.expanded(margin).diagonal();
         let returns = if self.returns > 0 { f64::from(self.range[1]) } else { 0.0 };
         let reach = if self.flags & Self::FLAG_NO_RETURNS != 0 { f64::INFINITY } else { returns };
         offset.norm() - radius <= reach && self.cone.meets_ball(&offset, radius, 0.0)
@@ -109,6 +135,7 @@ impl Header {
 mod tests {
     use super::*;
     use crate::NEVER;
+    use crate::scan::Beam;
     use nalgebra::UnitQuaternion;
     use proptest::prelude::*;
 
@@ -126,6 +153,7 @@ mod tests {
         let bytes = patch();
         let (header, beams) = Patch::beams_of(&bytes).unwrap();
         let bounds = Aabb::new([6e5 + 4.0, 5.3e6 - 0.3, 499.0], [6e5 + 4.16, 5.3e6 + 0.2, 501.0]).unwrap();
+        let beams = beams.beams;
         let inside = |b: &&Beam| b.returned && bounds.holds(&(b.offset + header.origin));
         let kept = Patch::within(&bytes, &bounds).unwrap().unwrap();
         assert_eq!(kept.header().beams as usize, beams.iter().filter(inside).count());
@@ -149,7 +177,7 @@ mod tests {
         let there = Patch::moved(&bytes, &pose).unwrap();
         let back = Patch::moved(&there.to_bytes(), &pose.inverse().unwrap()).unwrap();
         let ((h, a), (g, b)) = (Patch::beams_of(&bytes).unwrap(), Patch::beams_of(&back.to_bytes()).unwrap());
-        for (a, b) in a.iter().zip(&b).filter(|(a, _)| a.returned) {
+        for (a, b) in a.beams.iter().zip(&b.beams).filter(|(a, _)| a.returned) {
             assert!((a.offset + h.origin - b.offset - g.origin).amax() < 1.01e-4 + 2e-9);
         }
     }
@@ -159,7 +187,7 @@ mod tests {
         let bytes = patch();
         let halves = [0, 1].map(|k| {
             let mut i = 0;
-            Patch::filtered(&bytes, |_, _| {
+            Patch::filtered(&bytes, |_, _, _| {
                 i += 1;
                 i % 2 == k
             })
@@ -180,7 +208,7 @@ mod tests {
             let corner = header.origin + Vec3::new(x, y, z);
             let bounds = Aabb::new(corner.into(), (corner + Vec3::repeat(side)).into()).unwrap();
             let grown = bounds.expanded(margin);
-            let near = beams.iter().filter(|b| b.returned).any(|b| {
+            let near = beams.beams.iter().filter(|b| b.returned).any(|b| {
                 (0..=200).any(|k| grown.holds(&(header.origin + b.offset * (f64::from(k) / 200.0))))
             });
             prop_assert!(!near || header.sees(&bounds, margin));

@@ -1,6 +1,6 @@
 //! What a patch tells without its payload.
 
-use super::Cone;
+use super::{Cone, Setting};
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::num::bytes::{Put, Reader};
@@ -12,6 +12,17 @@ pub(super) const TY: &str = "ab_scan";
 pub const JOIN_MARGIN_M: f64 = 0.25;
 /// A beam without return counts as having looked this far: the hull of a patch reaches there.
 pub const NO_RETURN_REACH_M: f64 = 30.0;
+
+/// Where the beams of a patch start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origins {
+    /// All at the patch's origin: a scanner on a tripod.
+    One,
+    /// Each at its own place: a moving platform.
+    Each,
+    /// Nobody knows (dense matching, merged clouds): the points say "occupied", never "empty".
+    Unknown,
+}
 
 /// Header of a patch: fixed size, readable alone.
 ///
@@ -36,7 +47,7 @@ pub struct Header {
     pub step: f32,
     /// The scanner position's number, as the user keeps it.
     pub station: i64,
-    /// Where the beams start, world metres; for points without origin a reference point.
+    /// Where the beams start, world metres; a reference point where they do not start at one place.
     pub origin: Vec3,
     /// Unit of the packed coordinates, metres; a coordinate is off by at most half of it.
     pub quantum: f64,
@@ -55,13 +66,29 @@ impl Header {
     pub const LEN: usize = 200;
     /// Some beams have no return.
     pub const FLAG_NO_RETURNS: u8 = 1;
-    /// The points have no origin (dense matching): they say "occupied", never "empty".
+    /// The points have no origin: [`Origins::Unknown`].
     pub const FLAG_NO_ORIGIN: u8 = 2;
-    const KNOWN_FLAGS: u8 = 3;
+    /// A plane of origins: [`Origins::Each`].
+    pub const FLAG_ORIGIN_EACH: u8 = 4;
+    /// A plane of intensities.
+    pub const FLAG_INTENSITY: u8 = 8;
+    /// A plane of colours.
+    pub const FLAG_COLOUR: u8 = 16;
+    const KNOWN_FLAGS: u8 = 31;
 
-    /// Whether the points were seen from [`Header::origin`].
-    pub fn has_origin(&self) -> bool {
-        self.flags & Self::FLAG_NO_ORIGIN == 0
+    /// Where the beams start.
+    pub fn origins(&self) -> Origins {
+        match self.flags & (Self::FLAG_NO_ORIGIN | Self::FLAG_ORIGIN_EACH) {
+            0 => Origins::One,
+            Self::FLAG_ORIGIN_EACH => Origins::Each,
+            _ => Origins::Unknown,
+        }
+    }
+
+    /// What the beams have in common.
+    pub fn setting(&self) -> Setting {
+        let (station, origin, quantum) = (self.station, self.origin, self.quantum);
+        Setting { origins: self.origins(), station, origin, step: f64::from(self.step), quantum }
     }
 
     /// Whether two headers say the same, but for rounding in the last digits of what is computed.
@@ -105,8 +132,9 @@ impl Header {
             return Err(Error::Version { ty: TY, found: version, known: Self::VERSION });
         }
         let flags = r.u8()?;
-        if flags & !Self::KNOWN_FLAGS != 0 {
-            return Err(r.bad(format!("unknown flags {flags:#04x}")));
+        let origins = Self::FLAG_NO_ORIGIN | Self::FLAG_ORIGIN_EACH;
+        if flags & !Self::KNOWN_FLAGS != 0 || flags & origins == origins {
+            return Err(r.bad(format!("flags {flags:#04x}")));
         }
         r.u8()?;
         let [beams, returns, payload_len, checksum] = [r.u32()?, r.u32()?, r.u32()?, r.u32()?];

@@ -1,74 +1,43 @@
 //! A packed angular tile of beams: SQL's `ab_scan`.
 
-use super::Cone;
-use super::bitpack;
-use super::header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M, TY};
+use super::encode::{NO_LEAD, Setting, check, describe, encode};
+use super::header::{Header, Origins, TY};
 use super::tile::MAX_BEAMS;
+use super::{Beam, Content, bitpack, planes};
 use crate::error::{Error, Result};
-use crate::geometry::{Aabb, Vec3};
+use crate::geometry::Vec3;
 use crate::num::bytes::Reader;
 
-/// One laser beam relative to its origin.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Beam {
-    /// From the origin to the return, metres; for a beam without return any vector along it.
-    pub offset: Vec3,
-    /// Whether something came back.
-    pub returned: bool,
-}
-
-/// A tile of beams from one origin, packed. See [`Header`] for the layout; the payload holds a bitmap of returns
-/// (only with [`Header::FLAG_NO_RETURNS`]), the leading axis u8 (3: none), and the three columns of quantised offsets,
-/// the leading one first.
+/// A tile of beams, packed. See [`Header`] for the layout; the payload holds a bitmap of returns (only with
+/// [`Header::FLAG_NO_RETURNS`]), the leading axis u8 (3: none), the three columns of quantised offsets, the leading one
+/// first, and the optional planes in the order of their flags.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
     header: Header,
     payload: Vec<u8>,
 }
 
-/// A beam without return is stored as its direction, this long: fine enough to keep the direction to 5 µrad.
-const NO_RETURN_LENGTH_M: f64 = 20.0;
-/// Beams must look into one half-space: wider tiles have no useful angular grid.
-const MAX_HALF_ANGLE: f64 = 1.3;
-
 impl Patch {
     /// Default unit of the packed coordinates: 0.1 mm, so at most 0.05 mm off per axis.
     pub const QUANTUM_M: f64 = 1e-4;
 
+    /// Packs beams with their planes. Coordinates of returns are kept to half a quantum an axis.
+    pub fn pack(setting: &Setting, content: &Content) -> Result<Self> {
+        let (header, payload) = encode(setting, content)?;
+        Ok(Self { header, payload })
+    }
+
     /// Packs beams that start at `origin`; `step` is the angle between neighbours, radians.
     pub fn encode(station: i64, origin: Vec3, step: f64, quantum: f64, beams: &[Beam]) -> Result<Self> {
-        Self::pack(0, station, origin, step, quantum, beams)
+        let setting = Setting { origins: Origins::One, station, origin, step, quantum };
+        Self::pack(&setting, &Content::of(beams.to_vec()))
     }
 
     /// Packs points that were not seen from one place, relative to `reference`; `spacing` in metres.
     pub fn encode_cloud(station: i64, reference: Vec3, spacing: f64, quantum: f64, points: &[Vec3]) -> Result<Self> {
-        let beams: Vec<Beam> = points.iter().map(|p| Beam { offset: p - reference, returned: true }).collect();
-        Self::pack(Header::FLAG_NO_ORIGIN, station, reference, spacing, quantum, &beams)
-    }
-
-    fn pack(kind: u8, station: i64, origin: Vec3, step: f64, quantum: f64, beams: &[Beam]) -> Result<Self> {
-        check(&origin, step, quantum, beams)?;
-        let quanta = quantise(beams, quantum)?;
-        let all_returned = beams.iter().all(|b| b.returned);
-        let mut payload = Vec::with_capacity(4 * beams.len());
-        if !all_returned {
-            for eight in beams.chunks(8) {
-                payload.push(eight.iter().enumerate().map(|(i, b)| u8::from(b.returned) << i).sum());
-            }
-        }
-        let lead = if kind & Header::FLAG_NO_ORIGIN == 0 { leading_axis(&quanta) } else { NO_LEAD };
-        payload.push(lead);
-        let column = |axis: u8| quanta.iter().map(|q| q[usize::from(axis)]).collect::<Vec<i32>>();
-        let leading = (lead != NO_LEAD).then(|| column(lead));
-        if let Some(leading) = &leading {
-            bitpack::pack(leading, None, &mut payload);
-        }
-        for axis in (0..3).filter(|&axis| axis != lead) {
-            bitpack::pack(&column(axis), leading.as_deref(), &mut payload);
-        }
-        let flags = kind | if all_returned { 0 } else { Header::FLAG_NO_RETURNS };
-        let header = describe(flags, station, origin, step, quantum, &restore(&quanta, beams, quantum), &payload)?;
-        Ok(Self { header, payload })
+        let setting = Setting { origins: Origins::Unknown, station, origin: reference, step: spacing, quantum };
+        let beam = |p: &Vec3| Beam { offset: p - reference, returned: true };
+        Self::pack(&setting, &Content::of(points.iter().map(beam).collect()))
     }
 
     /// The header.
@@ -84,167 +53,41 @@ impl Patch {
         out
     }
 
-    /// Reads bytes that this database wrote: checksum and structure are checked, the header is taken as it is.
-    pub fn beams_of(bytes: &[u8]) -> Result<(Header, Vec<Beam>)> {
-        let header = Header::read(bytes)?;
-        let payload = bytes.get(Header::LEN..).unwrap_or_default();
-        let beams = decode(&header, payload).map_err(|e| match e {
-            Error::Binary { reason, .. } => Error::corrupted(TY, reason),
-            other => other,
-        })?;
-        Ok((header, beams))
+    /// The beams of bytes that this database wrote, without intensity and colour: checksum and structure are checked,
+    /// the header is taken as it is.
+    pub fn beams_of(bytes: &[u8]) -> Result<(Header, Content)> {
+        read(bytes, false)
+    }
+
+    /// The same with all planes.
+    pub fn content_of(bytes: &[u8]) -> Result<(Header, Content)> {
+        read(bytes, true)
     }
 
     /// Reads foreign bytes: the header must describe the beams, to the rounding of other machines.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
-        let (header, beams) = Self::beams_of(bytes)?;
+        let (header, content) = Self::content_of(bytes)?;
         let payload = bytes[Header::LEN..].to_vec();
-        check(&header.origin, f64::from(header.step), header.quantum, &beams)?;
-        let derived = describe(
-            header.flags,
-            header.station,
-            header.origin,
-            f64::from(header.step),
-            header.quantum,
-            &beams,
-            &payload,
-        )?;
-        if !header.agrees_with(&derived) {
+        let setting = header.setting();
+        check(&setting, &content)?;
+        if !header.agrees_with(&describe(header.flags, &setting, &content, &payload)?) {
             return Err(Error::binary(TY, "its header does not describe its beams"));
         }
         Ok(Self { header, payload })
     }
 }
 
-/// No axis leads: points that were not seen along beams.
-const NO_LEAD: u8 = 3;
-
-/// The axis along which the beams reach farthest; noise along the beams shows there, and the other two follow.
-fn leading_axis(quanta: &[[i32; 3]]) -> u8 {
-    let reach = |axis: usize| quanta.iter().map(|q| i64::from(q[axis]).abs()).sum::<i64>();
-    (0..3u8).max_by_key(|&axis| reach(usize::from(axis))).unwrap_or(0)
+fn read(bytes: &[u8], all_planes: bool) -> Result<(Header, Content)> {
+    let header = Header::read(bytes)?;
+    let payload = bytes.get(Header::LEN..).unwrap_or_default();
+    let content = decode(&header, payload, all_planes).map_err(|e| match e {
+        Error::Binary { reason, .. } => Error::corrupted(TY, reason),
+        other => other,
+    })?;
+    Ok((header, content))
 }
 
-fn check(origin: &Vec3, step: f64, quantum: f64, beams: &[Beam]) -> Result<()> {
-    if beams.is_empty() {
-        return Err(Error::Empty { what: "the scan patch" });
-    }
-    if beams.len() > MAX_BEAMS {
-        return Err(Error::Limit {
-            what: "the number of beams of a patch",
-            value: beams.len().to_string(),
-            limit: MAX_BEAMS.to_string(),
-        });
-    }
-    if !(1e-7..=1e3).contains(&step) {
-        return Err(Error::argument("the step", "between 1e-7 and 1000", step));
-    }
-    if !(1e-9..=1.0).contains(&quantum) {
-        return Err(Error::argument("the quantum", "between 1e-9 and 1 m", quantum));
-    }
-    let coordinates = origin.iter().chain(beams.iter().flat_map(|b| b.offset.iter()));
-    match coordinates.into_iter().find(|x| !(-1e9..=1e9).contains(*x)) {
-        Some(x) => Err(Error::argument("a scan coordinate", "finite and within 1e9 m", x)),
-        None => Ok(()),
-    }
-}
-
-fn quantise(beams: &[Beam], quantum: f64) -> Result<Vec<[i32; 3]>> {
-    beams
-        .iter()
-        .map(|b| {
-            let v = if b.returned {
-                b.offset
-            } else {
-                b.offset.try_normalize(1e-12).unwrap_or_else(Vec3::x) * NO_RETURN_LENGTH_M
-            };
-            let q = v.map(|c| (c / quantum).round());
-            if q.amax() > f64::from(i32::MAX) {
-                return Err(Error::Limit {
-                    what: "the offset of a point from its origin",
-                    value: format!("{} m", v.amax()),
-                    limit: format!("{} m at a quantum of {quantum} m", f64::from(i32::MAX) * quantum),
-                });
-            }
-            Ok([q.x as i32, q.y as i32, q.z as i32])
-        })
-        .collect()
-}
-
-/// The beams as a reader will see them.
-fn restore(quanta: &[[i32; 3]], beams: &[Beam], quantum: f64) -> Vec<Beam> {
-    let one =
-        |(q, b): (&[i32; 3], &Beam)| Beam { offset: Vec3::from(q.map(f64::from)) * quantum, returned: b.returned };
-    quanta.iter().zip(beams).map(one).collect()
-}
-
-fn describe(
-    flags: u8,
-    station: i64,
-    origin: Vec3,
-    step: f64,
-    quantum: f64,
-    beams: &[Beam],
-    payload: &[u8],
-) -> Result<Header> {
-    let returns: Vec<Vec3> = beams.iter().filter(|b| b.returned).map(|b| b.offset).collect();
-    let world: Vec<Vec3> = returns.iter().map(|p| p + origin).collect();
-    let has_origin = flags & Header::FLAG_NO_ORIGIN == 0;
-    let mut points = Aabb::around(&world);
-    if world.is_empty() {
-        points = Aabb { min: origin.into(), max: origin.into() };
-    }
-    let mut hull = points;
-    if has_origin {
-        hull.grow(&origin);
-        let looked = |b: &Beam| b.offset * (NO_RETURN_REACH_M / b.offset.norm().max(1e-9));
-        beams.iter().filter(|b| !b.returned).for_each(|b| hull.grow(&(origin + looked(b))));
-    }
-    let range = returns.iter().map(|p| p.norm()).fold([f64::INFINITY, 0.0], |[lo, hi], r| [lo.min(r), hi.max(r)]);
-    let range = if world.is_empty() { [0.0, 0.0] } else { [round_down(range[0]), round_up(range[1])] };
-    let cone = if has_origin { cone(beams)? } else { Cone { axis: Vec3::x(), half_angle: f64::from(4f32) } };
-    Ok(Header {
-        flags,
-        beams: beams.len() as u32,
-        returns: returns.len() as u32,
-        payload_len: payload.len() as u32,
-        checksum: crc32fast::hash(payload),
-        range,
-        step: step as f32,
-        station,
-        origin,
-        quantum,
-        points,
-        hull: hull.expanded(JOIN_MARGIN_M),
-        cone,
-    })
-}
-
-fn cone(beams: &[Beam]) -> Result<Cone> {
-    let directions: Vec<Vec3> = beams.iter().filter_map(|b| b.offset.try_normalize(1e-12)).collect();
-    let mut cone = Cone::around(&directions);
-    if cone.half_angle > MAX_HALF_ANGLE {
-        return Err(Error::Limit {
-            what: "the half-angle of the patch's cone",
-            value: format!("{:.2} rad", cone.half_angle),
-            limit: format!("{MAX_HALF_ANGLE} rad"),
-        });
-    }
-    cone.half_angle = f64::from(round_up(cone.half_angle));
-    Ok(cone)
-}
-
-fn round_up(x: f64) -> f32 {
-    let f = x as f32;
-    if f64::from(f) < x { f.next_up() } else { f }
-}
-
-fn round_down(x: f64) -> f32 {
-    let f = x as f32;
-    if f64::from(f) > x { f.next_down() } else { f }
-}
-
-fn decode(header: &Header, payload: &[u8]) -> Result<Vec<Beam>> {
+fn decode(header: &Header, payload: &[u8], all_planes: bool) -> Result<Content> {
     let n = header.beams as usize;
     if n == 0 || n > MAX_BEAMS {
         return Err(Error::binary(TY, format!("{n} beams, but a patch holds 1 to {MAX_BEAMS}")));
@@ -258,19 +101,23 @@ fn decode(header: &Header, payload: &[u8]) -> Result<Vec<Beam>> {
     }
     let mut r = Reader::new(payload, TY);
     let bitmap = if header.flags & Header::FLAG_NO_RETURNS != 0 { Some(r.take(n.div_ceil(8))?) } else { None };
-    let columns = columns(&mut r, n)?;
-    r.finish()?;
-    let q = header.quantum;
-    Ok((0..n)
-        .map(|i| Beam {
-            offset: Vec3::from_fn(|axis, _| f64::from(columns[axis][i]) * q),
-            returned: bitmap.is_none_or(|b| b[i / 8] >> (i % 8) & 1 == 1),
-        })
-        .collect())
+    let returned = |i: usize| bitmap.is_none_or(|b| b[i / 8] >> (i % 8) & 1 == 1);
+    let lead = r.u8()?;
+    let offsets = vectors(&mut r, n, lead, header.quantum)?;
+    let beams = offsets.enumerate().map(|(i, offset)| Beam { offset, returned: returned(i) }).collect();
+    let mut content = Content::of(beams);
+    if header.origins() == Origins::Each {
+        content.starts = Some(vectors(&mut r, n, NO_LEAD, header.quantum)?.collect());
+    }
+    if all_planes || header.flags & (Header::FLAG_INTENSITY | Header::FLAG_COLOUR) == 0 {
+        planes::unpack(&mut r, header.flags, &mut content)?;
+        r.finish()?;
+    }
+    Ok(content)
 }
 
-fn columns(r: &mut Reader, n: usize) -> Result<[Vec<i32>; 3]> {
-    let lead = r.u8()?;
+/// The next three columns, of which `lead` comes first, in metres.
+fn vectors(r: &mut Reader, n: usize, lead: u8, quantum: f64) -> Result<impl Iterator<Item = Vec3> + use<>> {
     if lead > NO_LEAD {
         return Err(r.bad(format!("axis {lead} leads")));
     }
@@ -282,7 +129,7 @@ fn columns(r: &mut Reader, n: usize) -> Result<[Vec<i32>; 3]> {
     if let Some(leading) = leading {
         columns[usize::from(lead)] = leading;
     }
-    Ok(columns)
+    Ok((0..n).map(move |i| Vec3::from_fn(|axis, _| f64::from(columns[axis][i]) * quantum)))
 }
 
 #[cfg(test)]
@@ -305,7 +152,7 @@ mod tests {
             prop_assert_eq!(Patch::from_bytes(&bytes).unwrap(), p.unwrap());
             let (header, back) = Patch::beams_of(&bytes).unwrap();
             prop_assert_eq!(header.beams as usize, beams.len());
-            for (a, b) in beams.iter().zip(&back) {
+            for (a, b) in beams.iter().zip(&back.beams) {
                 prop_assert_eq!(a.returned, b.returned);
                 if a.returned {
                     prop_assert!((a.offset - b.offset).amax() <= 0.5 * Patch::QUANTUM_M + 1e-12);
@@ -334,6 +181,77 @@ mod tests {
         }
     }
 
+    type Reading = ((f64, f64, f64), (f64, f64, f64), u16, [u8; 3], bool);
+
+    fn any_reading() -> impl Strategy<Value = Reading> {
+        let place = || (-50.0..50.0f64, -50.0..50.0f64, -3.0..3.0f64);
+        (place(), place(), any::<u16>(), any::<[u8; 3]>(), prop::bool::weighted(0.9))
+    }
+
+    proptest! {
+        /// Ends of moving beams are kept as well as those of one origin, and planes to the bit.
+        #[test]
+        fn planes_round_trip(readings in prop::collection::vec(any_reading(), 1..300), intensity: bool, colour: bool, at in any::<usize>(), x in 1u8..) {
+            let vec = |(x, y, z): (f64, f64, f64)| Vec3::new(x, y, z);
+            let content = Content {
+                starts: Some(readings.iter().map(|r| vec(r.0)).collect()),
+                intensity: intensity.then(|| readings.iter().map(|r| r.2).collect()),
+                colour: colour.then(|| readings.iter().map(|r| r.3).collect()),
+                ..Content::of(readings.iter().map(|r| Beam { offset: vec(r.1), returned: r.4 }).collect())
+            };
+            let origin = Vec3::new(6e6, 6e6, 0.0);
+            let setting = Setting { origins: Origins::Each, station: -3, origin, step: 1e-3, quantum: 1e-4 };
+            let patch = Patch::pack(&setting, &content).unwrap();
+            let bytes = patch.to_bytes();
+            prop_assert_eq!(&Patch::from_bytes(&bytes).unwrap(), &patch);
+            let (header, back) = Patch::content_of(&bytes).unwrap();
+            prop_assert_eq!(header.setting(), Setting { step: f64::from(1e-3f32), ..setting });
+            prop_assert_eq!((&back.intensity, &back.colour), (&content.intensity, &content.colour));
+            for i in 0..content.len() {
+                prop_assert_eq!(content.beams[i].returned, back.beams[i].returned);
+                prop_assert!((content.start(i) - back.start(i)).amax() <= 0.5e-4 + 1e-12);
+                let off = (content.end(i) - back.end(i)).amax();
+                prop_assert!(!content.beams[i].returned || off <= 0.5e-4 + 1e-12, "{}", off);
+                prop_assert!(!content.beams[i].returned || header.hull.holds(&(origin + back.end(i))));
+                prop_assert!(header.hull.holds(&(origin + back.start(i))));
+            }
+            // A changed payload is damage, whatever the plane.
+            let mut damaged = bytes.clone();
+            let place = Header::LEN + at % (bytes.len() - Header::LEN);
+            damaged[place] ^= x;
+            let noticed = matches!(Patch::beams_of(&damaged), Err(Error::Corrupted { .. }));
+            prop_assert!(noticed);
+        }
+
+        /// Even where the checksum is right, a payload of nonsense gives an error or beams, and takes no memory beyond them.
+        #[test]
+        fn nonsense_under_a_right_checksum(payload in prop::collection::vec(any::<u8>(), 0..600), flags in 0u8..32, n in 1u32..5000) {
+            let beams = [Beam { offset: Vec3::new(5.0, 0.0, 0.3), returned: true }];
+            let mut header = Patch::encode(1, Vec3::zeros(), 2e-3, 1e-4, &beams).unwrap().header().clone();
+            (header.flags, header.beams, header.payload_len) = (flags, n, payload.len() as u32);
+            header.checksum = crc32fast::hash(&payload);
+            let mut bytes = Vec::new();
+            header.write(&mut bytes);
+            bytes.extend_from_slice(&payload);
+            if let Ok((_, content)) = Patch::content_of(&bytes) {
+                prop_assert!(content.len() == n as usize);
+            }
+            let _ = Patch::from_bytes(&bytes);
+        }
+    }
+
+    #[test]
+    fn planes_fit_their_beams() {
+        let one = Beam { offset: Vec3::x(), returned: true };
+        let setting = Setting { origins: Origins::One, station: 0, origin: Vec3::zeros(), step: 1e-3, quantum: 1e-4 };
+        let content = Content { intensity: Some(vec![1, 2]), ..Content::of(vec![one]) };
+        assert!(Patch::pack(&setting, &content).is_err());
+        // Starts and the kind of origin belong together.
+        assert!(Patch::pack(&Setting { origins: Origins::Each, ..setting }, &Content::of(vec![one])).is_err());
+        let content = Content { starts: Some(vec![Vec3::zeros()]), ..Content::of(vec![one]) };
+        assert!(Patch::pack(&setting, &content).is_err());
+    }
+
     #[test]
     fn edge_cases() {
         let beam = |x: f64| Beam { offset: Vec3::new(x, 0.0, 0.0), returned: true };
@@ -342,7 +260,11 @@ mod tests {
         assert!(encode(&[beam(f64::NAN)]).is_err());
         assert!(matches!(encode(&[beam(1e6)]), Err(Error::Limit { .. })));
         assert!(encode(&vec![beam(1.0); MAX_BEAMS + 1]).is_err());
-        assert!(encode(&[beam(0.0), beam(10_000.0)]).is_ok());
+        let far = encode(&[beam(0.0), beam(10_000.0)]).unwrap();
+        assert_eq!(far.header().range, [0.0, 10_000.0]);
+        let same = encode(&[beam(3.0); MAX_BEAMS]).unwrap();
+        assert!(same.to_bytes().len() < 1200 && same.header().cone.half_angle == 0.0);
+        assert_eq!(Patch::beams_of(&same.to_bytes()).unwrap().1.beams, [beam(3.0); MAX_BEAMS]);
         assert!(matches!(encode(&[beam(1.0), beam(-1.0)]), Err(Error::Limit { .. })));
         let nothing = Beam { offset: Vec3::new(0.0, 1.0, 0.0), returned: false };
         let p = encode(&[nothing]).unwrap();

@@ -141,8 +141,8 @@ mod tests {
         {
             let beams: Vec<Beam> = ends.iter().map(|&(x, y, z)| Beam { offset: Vec3::new(x, y, z), returned: true }).collect();
             let bytes = Patch::encode(0, Vec3::zeros(), 5e-3, 1e-4, &beams).unwrap().to_bytes();
-            let (header, beams) = Patch::beams_of(&bytes).unwrap();
-            let view = View::new(header, &beams);
+            let (header, content) = Patch::beams_of(&bytes).unwrap();
+            let (beams, view) = (&content.beams, View::new(header, &content.beams));
             prop_assert_eq!(view.len(), beams.len());
             let (min, max) = ([a.0, a.1], [a.0 + size.0, a.1 + size.1]);
             let found: Vec<usize> = view.slots_in(min, max).flatten().collect();

@@ -1,6 +1,6 @@
 //! From the sums of all stations to the belief at one sample.
 
-use super::evidence::{Evidence, Station};
+use super::evidence::{Evidence, Place, Station};
 use super::model::{EvidenceModel, ModelKind};
 use super::ray_sums;
 use super::sums::Sums;
@@ -128,16 +128,18 @@ impl Accumulator {
     /// One station as one body of evidence: docs/method.md, "surface".
     fn add_surface(&mut self, station: &Station, sums: &Sums, position: &Vec3, normal: &Vec3, model: &EvidenceModel) {
         let Some(r) = SurfaceReading::of(sums) else { return };
-        // Points without origin count along the normal and have no range.
-        let sight = station.origin.map_or(-normal, |origin| position - origin);
-        let range = if station.origin.is_some() { sight.norm().max(1e-6) } else { 0.0 };
+        // Without one place that sees it, a sample counts along the normal and has no range.
+        let (sight, range) = match station.place {
+            Place::At(origin) => (position - origin, (position - origin).norm().max(1e-6)),
+            Place::Many | Place::Unknown => (-normal, 0.0),
+        };
         let cos = sight.dot(normal).abs() / sight.norm().max(1e-6);
         let covered = 1.0 - (-(r.hit + r.through)).exp();
         let hit_share = r.hit / (r.hit + r.through);
         let sigma = deviation_sigma(&r, range, cos, model);
         let seen = SurfaceObservation { deviation: r.deviation, sd: sigma, coverage: covered, hit_share };
         let (mut mass, in_front) = seen.mass(model.tolerance(), model.reliability);
-        if station.origin.is_none() {
+        if station.place == Place::Unknown {
             // No ray, no emptiness.
             mass = Mass { empty: 0.0, unknown: mass.unknown + mass.empty, ..mass };
         }

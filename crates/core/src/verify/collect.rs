@@ -3,7 +3,7 @@
 use nalgebra::Matrix3;
 
 use super::crossing::Target;
-use super::evidence::Evidence;
+use super::evidence::{Evidence, Place};
 use super::model::{EvidenceModel, ModelKind};
 use super::point_index::{LocalPoint, PointIndex};
 use super::sample::{Block, Samples};
@@ -11,7 +11,7 @@ use super::sums::Sums;
 use super::surface_sums::{Encounter, KERNEL_SPACINGS};
 use super::{ray_sums, surface_sums};
 use crate::geometry::{Solid, Vec3};
-use crate::scan::{Beam, Header, Patch, View};
+use crate::scan::{Beam, Content, Header, Origins, Patch, View, by_origin};
 use crate::uncertain::Point;
 use crate::{Interrupt, Result, poll};
 
@@ -59,9 +59,13 @@ impl Collector {
     /// Whether a patch can say anything, by its header alone.
     pub fn concerns(&self, header: &Header) -> bool {
         let bounds = &self.evidence.bounds;
-        if !header.has_origin() {
-            let reach = self.evidence.model.band_behind() + KERNEL_SPACINGS * f64::from(header.step);
-            return header.points.expanded(reach).overlaps(bounds);
+        match header.origins() {
+            Origins::One => {}
+            Origins::Each => return header.hull.overlaps(bounds),
+            Origins::Unknown => {
+                let reach = self.evidence.model.band_behind() + KERNEL_SPACINGS * f64::from(header.step);
+                return header.points.expanded(reach).overlaps(bounds);
+            }
         }
         let offset = bounds.centre() - header.origin;
         let radius = 0.5 * bounds.diagonal();
@@ -75,14 +79,32 @@ impl Collector {
         if !self.concerns(&Header::read(patch)?) {
             return Ok(());
         }
-        let (header, beams) = Patch::beams_of(patch)?;
-        if header.has_origin() {
-            return self.absorb_view(&View::new(header, &beams), |_| (), interrupt);
+        let (header, content) = Patch::beams_of(patch)?;
+        match header.origins() {
+            Origins::One => {
+                let place = Place::At(header.origin);
+                self.absorb_view(&View::new(header, &content.beams), place, |_| (), interrupt)
+            }
+            Origins::Each => self.absorb_moving(&header, &content, interrupt),
+            Origins::Unknown => self.absorb_cloud(&header, &content, interrupt),
         }
+    }
+
+    /// Beams that start at many places: each place speaks alone, as one station.
+    fn absorb_moving(&mut self, header: &Header, content: &Content, interrupt: Interrupt) -> Result<()> {
+        for (header, beams) in by_origin(header, content)? {
+            if self.concerns(&header) {
+                self.absorb_view(&View::new(header, &beams), Place::Many, |_| (), interrupt)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn absorb_cloud(&mut self, header: &Header, content: &Content, interrupt: Interrupt) -> Result<()> {
         let shift = header.origin - self.evidence.samples.reference;
         let spacing = f64::from(header.step).max(1e-4);
         let point = |b: &Beam| LocalPoint { position: b.offset + shift, covariance: Matrix3::zeros(), spacing };
-        let points: Vec<LocalPoint> = beams.iter().filter(|b| b.returned).map(point).collect();
+        let points: Vec<LocalPoint> = content.beams.iter().filter(|b| b.returned).map(point).collect();
         self.absorb_points(&points, header.station, interrupt)
     }
 
@@ -102,7 +124,7 @@ impl Collector {
             let patch = Patch::encode(TIE_POINTS, *camera, step, Patch::QUANTUM_M, &[beam])?;
             if self.concerns(patch.header()) {
                 let view = View::new(patch.header().clone(), &[beam]);
-                self.absorb_view(&view, |e: &mut Encounter| e.pierced_alone(share), interrupt)?;
+                self.absorb_view(&view, Place::At(*camera), |e: &mut Encounter| e.pierced_alone(share), interrupt)?;
             }
         }
         Ok(())
@@ -116,7 +138,7 @@ impl Collector {
         };
         let model = evidence.model;
         let rays = model.ray_model();
-        let station = evidence.station_index(id, None);
+        let station = evidence.station_index(id, Place::Unknown);
         let Evidence { samples, stations, .. } = evidence;
         let blocks = &mut stations[station].blocks;
         for (i, point) in points.iter().enumerate() {
@@ -148,7 +170,13 @@ impl Collector {
     }
 
     /// `adjust` may take back some of what the beams encountered.
-    fn absorb_view(&mut self, view: &View, adjust: impl Fn(&mut Encounter), interrupt: Interrupt) -> Result<()> {
+    fn absorb_view(
+        &mut self,
+        view: &View,
+        place: Place,
+        adjust: impl Fn(&mut Encounter),
+        interrupt: Interrupt,
+    ) -> Result<()> {
         let model = self.evidence.model;
         match model.kind {
             ModelKind::Surface => {
@@ -159,14 +187,14 @@ impl Collector {
                 let mut encounters = surface_sums::encounters(view, &crossings, &model);
                 encounters.iter_mut().for_each(adjust);
                 let min_cos = model.max_incidence.cos();
-                self.for_blocks(view, true, interrupt, |offset, normal, sums| {
+                self.for_blocks(view, place, true, interrupt, |offset, normal, sums| {
                     let cos = -offset.dot(normal) / offset.norm();
                     if cos >= min_cos {
                         surface_sums::gather(view, &encounters, offset, normal, sums);
                     }
                 })
             }
-            ModelKind::Meyer2022 => self.for_blocks(view, false, interrupt, |offset, _, sums| {
+            ModelKind::Meyer2022 => self.for_blocks(view, place, false, interrupt, |offset, _, sums| {
                 ray_sums::gather(view, offset, &model, sums);
             }),
         }
@@ -176,13 +204,14 @@ impl Collector {
     fn for_blocks(
         &mut self,
         view: &View,
+        place: Place,
         facing_only: bool,
         interrupt: Interrupt,
         speak: impl Fn(&Vec3, &Vec3, &mut Sums),
     ) -> Result<()> {
         let header = &view.header;
         let (margin, reach, kernel) = (self.margin(header), self.reach(header), self.kernel_radius());
-        let station = self.evidence.station_index(header.station, Some(header.origin));
+        let station = self.evidence.station_index(header.station, place);
         let Evidence { samples, stations, .. } = &mut self.evidence;
         let scanner = header.origin - samples.reference;
         for (i, block) in samples.blocks.iter().enumerate() {

@@ -184,8 +184,8 @@ mod tests {
                 })
                 .collect();
             let bytes = Patch::encode(0, origin, 2e-2, 1e-4, &beams).unwrap().to_bytes();
-            let (header, beams) = Patch::beams_of(&bytes).unwrap();
-            let view = View::new(header, &beams);
+            let (header, content) = Patch::beams_of(&bytes).unwrap();
+            let view = View::new(header, &content.beams);
             let got = Target::new(solid, NEVER).unwrap().crossings(&view, f64::INFINITY, NEVER).unwrap();
             for slot in 0..view.len() {
                 let want = first_hit(solid, &origin, &view.directions[slot]);

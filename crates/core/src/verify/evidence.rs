@@ -12,29 +12,56 @@ use crate::{Interrupt, poll_now_and_then};
 /// Most sums (48 bytes each in memory) of one value: more than PostgreSQL's 1 GB holds at 16 bytes a sum.
 pub(super) const MAX_SUMS: usize = 64_000_000;
 
+/// Where the beams of a station start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Place {
+    /// At one point, world metres.
+    At(Vec3),
+    /// Along the way of a moving platform.
+    Many,
+    /// Nobody knows: points without rays.
+    Unknown,
+}
+
+impl Place {
+    /// As three numbers: the point, infinity for many, NaN for unknown.
+    pub(super) fn to_vec3(self) -> Vec3 {
+        match self {
+            Self::At(origin) => origin,
+            Self::Many => Vec3::repeat(f64::INFINITY),
+            Self::Unknown => Vec3::repeat(f64::NAN),
+        }
+    }
+
+    /// The mirror of [`Place::to_vec3`]; `None` for numbers that are no place.
+    pub(super) fn from_vec3(v: Vec3) -> Option<Self> {
+        match v {
+            v if v.iter().all(|c| c.is_finite()) => Some(Self::At(v)),
+            v if v.iter().all(|c| *c == f64::INFINITY) => Some(Self::Many),
+            v if v.iter().all(|c| c.is_nan()) => Some(Self::Unknown),
+            _ => None,
+        }
+    }
+}
+
 /// What one station's beams add up to, by block of samples; blocks it never saw are absent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Station {
     /// The station's number, as in its patches.
     pub id: i64,
-    /// Where its beams start, world metres; `None` for points without origin. With the number, what tells stations
-    /// apart.
-    pub origin: Option<Vec3>,
+    /// Where its beams start. With the number, what tells stations apart.
+    pub place: Place,
     pub(super) blocks: BTreeMap<u32, Box<[Sums]>>,
 }
 
 impl Station {
-    pub(super) fn new(id: i64, origin: Option<Vec3>) -> Self {
-        Self { id, origin, blocks: BTreeMap::new() }
+    pub(super) fn new(id: i64, place: Place) -> Self {
+        Self { id, place, blocks: BTreeMap::new() }
     }
 
     /// Order of stations in a value: by number, then by place.
     pub(super) fn key(&self) -> (i64, [u64; 3]) {
-        (self.id, self.origin.map_or([u64::MAX; 3], |o| o.map(f64::to_bits).into()))
-    }
-
-    fn is(&self, id: i64, origin: &Option<Vec3>) -> bool {
-        self.id == id && self.origin == *origin
+        (self.id, self.place.to_vec3().map(f64::to_bits).into())
     }
 
     fn add(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
@@ -98,11 +125,11 @@ impl Evidence {
     }
 
     /// The place of a station in [`Evidence::stations`], made if it is new.
-    pub(super) fn station_index(&mut self, id: i64, origin: Option<Vec3>) -> usize {
-        if let Some(i) = self.stations.iter().position(|s| s.is(id, &origin)) {
+    pub(super) fn station_index(&mut self, id: i64, place: Place) -> usize {
+        if let Some(i) = self.stations.iter().position(|s| s.id == id && s.place == place) {
             return i;
         }
-        let fresh = Station::new(id, origin);
+        let fresh = Station::new(id, place);
         let at = self.stations.partition_point(|s| s.key() < fresh.key());
         self.stations.insert(at, fresh);
         at
@@ -137,7 +164,7 @@ impl Evidence {
             return mismatch("their samples differ");
         }
         for theirs in &other.stations {
-            let i = self.station_index(theirs.id, theirs.origin);
+            let i = self.station_index(theirs.id, theirs.place);
             self.stations[i].add(theirs, interrupt)?;
             self.check_size()?;
         }

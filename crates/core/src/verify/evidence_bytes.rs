@@ -2,10 +2,10 @@
 //!
 //! Layout, little-endian, version 1: version u8, `'E'` u8, two-sided u8, 0 u8, fingerprint, faces, blocks, samples
 //! and stations u32, reference 3×f64, box 6×f64, model; then face normals 3×f64; blocks as (face varint, length
-//! u8); samples 3×f32; per station its number i64, origin 3×f64 (NaN: none), blocks present u32, and per block its number
+//! u8); samples 3×f32; per station its number i64, origin 3×f64 (NaN: none, infinity: many), blocks present u32, and per block its number
 //! (varint, difference) and per sample the beams (varint) and, unless 0, five signed varints.
 
-use super::evidence::{Evidence, EvidenceHeader, MAX_SUMS, Station};
+use super::evidence::{Evidence, EvidenceHeader, MAX_SUMS, Place, Station};
 use super::model::{EvidenceModel, ModelKind};
 use super::sample::{BLOCK, Block, Samples};
 use super::sums::Sums;
@@ -15,7 +15,6 @@ use crate::num::bytes::{Put, Reader};
 use crate::{Interrupt, poll_now_and_then};
 
 const TY: &str = "ab_evidence";
-const NO_ORIGIN: Vec3 = Vec3::new(f64::NAN, f64::NAN, f64::NAN);
 
 impl Evidence {
     /// Layout version written by this release.
@@ -140,7 +139,7 @@ fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize) -> Re
 
 fn write_station(station: &Station, out: &mut Vec<u8>, interrupt: Interrupt) -> Result<()> {
     out.put_i64(station.id);
-    out.put_vec3(&station.origin.unwrap_or(NO_ORIGIN));
+    out.put_vec3(&station.place.to_vec3());
     out.put_u32(station.blocks.len() as u32);
     let mut next = 0;
     for (round, (&i, sums)) in station.blocks.iter().enumerate() {
@@ -165,13 +164,8 @@ fn read_station(
     interrupt: Interrupt,
 ) -> Result<Station> {
     let id = r.i64()?;
-    let origin = r.vec3()?;
-    let origin = match (origin.iter().all(|c| c.is_finite()), origin.iter().all(|c| c.is_nan())) {
-        (true, _) => Some(origin),
-        (_, true) => None,
-        _ => return Err(r.bad("a station's origin is not finite")),
-    };
-    let mut station = Station::new(id, origin);
+    let place = Place::from_vec3(r.vec3()?).ok_or_else(|| r.bad("a station's origin is not finite"))?;
+    let mut station = Station::new(id, place);
     let present = r.u32()?;
     if present == 0 {
         return Err(r.bad("a station that saw nothing"));

@@ -24,7 +24,7 @@ mod surface_sums;
 
 pub use belief::SampleBelief;
 pub use collect::Collector;
-pub use evidence::{Evidence, EvidenceHeader, Station};
+pub use evidence::{Evidence, EvidenceHeader, Place, Station};
 pub use face::FaceReport;
 pub use model::{EvidenceModel, ModelKind};
 pub use sample::Samples;

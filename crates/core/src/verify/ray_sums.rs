@@ -75,8 +75,8 @@ mod tests {
             .map(|i| Beam { offset: Vec3::new(5.0, f64::from(i % 3) * 0.01, f64::from(i / 3) * 0.01), returned: true })
             .collect();
         let bytes = Patch::encode(0, Vec3::zeros(), 2e-3, 1e-4, &beams).unwrap().to_bytes();
-        let (header, beams) = Patch::beams_of(&bytes).unwrap();
-        let view = View::new(header, &beams);
+        let (header, content) = Patch::beams_of(&bytes).unwrap();
+        let view = View::new(header, &content.beams);
         let model = EvidenceModel::default();
         for query in [Vec3::new(4.998, 0.012, 0.007), Vec3::new(4.95, 0.0, 0.0), Vec3::new(5.02, 0.01, 0.01)] {
             let mut sums = Sums::default();

@@ -4,7 +4,7 @@ use nalgebra::Matrix3;
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
-use super::evidence::Evidence;
+use super::evidence::{Evidence, Place};
 use super::shift::{Vote, solve};
 use super::surface_sums::SurfaceReading;
 use crate::geometry::Vec3;
@@ -54,9 +54,9 @@ impl SurfacePoints {
                     counter += 1;
                     let reading = SurfaceReading::of(&sums[k]).filter(|r| r.hit > 2.0 * r.through && r.hit > 1.0);
                     if let (true, Some(r)) = (counter % every_built == 0, reading) {
-                        let direction = match station.origin {
-                            Some(origin) => (local + samples.reference - origin).normalize(),
-                            None => -normal,
+                        let direction = match station.place {
+                            Place::At(origin) => (local + samples.reference - origin).normalize(),
+                            Place::Many | Place::Unknown => -normal,
                         };
                         let cos = direction.dot(normal).abs().max(0.1);
                         out.built.push((local - direction * (r.deviation / cos), block.face));

@@ -1,0 +1,88 @@
+//! The beams of a patch, unpacked, with what else was measured of each.
+
+use super::Header;
+use crate::geometry::Vec3;
+
+/// One laser beam relative to its origin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Beam {
+    /// From the origin to the return, metres; for a beam without return any vector along it.
+    pub offset: Vec3,
+    /// Whether something came back.
+    pub returned: bool,
+}
+
+/// Beams with their optional planes; a plane that is there has one value a beam.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Content {
+    /// The beams.
+    pub beams: Vec<Beam>,
+    /// Where each beam starts, metres from the patch's origin: moving platforms ([`super::Origins::Each`]) alone.
+    pub starts: Option<Vec<Vec3>>,
+    /// Intensity as the sensor gave it.
+    pub intensity: Option<Vec<u16>>,
+    /// Red, green, blue.
+    pub colour: Option<Vec<[u8; 3]>>,
+}
+
+impl Content {
+    /// Beams alone.
+    pub fn of(beams: Vec<Beam>) -> Self {
+        Self { beams, ..Self::default() }
+    }
+
+    /// Number of beams.
+    pub fn len(&self) -> usize {
+        self.beams.len()
+    }
+
+    /// Whether there is no beam.
+    pub fn is_empty(&self) -> bool {
+        self.beams.is_empty()
+    }
+
+    /// Where beam `i` starts, metres from the patch's origin.
+    pub fn start(&self, i: usize) -> Vec3 {
+        self.starts.as_ref().map_or_else(Vec3::zeros, |s| s[i])
+    }
+
+    /// Where beam `i` ends, metres from the patch's origin.
+    pub fn end(&self, i: usize) -> Vec3 {
+        self.start(i) + self.beams[i].offset
+    }
+
+    /// The same with the beams named, in that order.
+    pub fn select(&self, beams: &[u32]) -> Self {
+        fn pick<T: Copy>(from: &[T], which: &[u32]) -> Vec<T> {
+            which.iter().map(|&i| from[i as usize]).collect()
+        }
+        Self {
+            beams: pick(&self.beams, beams),
+            starts: self.starts.as_deref().map(|p| pick(p, beams)),
+            intensity: self.intensity.as_deref().map(|p| pick(p, beams)),
+            colour: self.colour.as_deref().map(|p| pick(p, beams)),
+        }
+    }
+
+    /// Adds the beams of another; a plane that only one of them has is lost.
+    pub fn append(&mut self, mut other: Self) {
+        fn join<T>(mine: &mut Option<Vec<T>>, theirs: Option<Vec<T>>) {
+            match (mine.as_mut(), theirs) {
+                (Some(m), Some(t)) => m.extend(t),
+                _ => *mine = None,
+            }
+        }
+        join(&mut self.starts, other.starts);
+        join(&mut self.intensity, other.intensity);
+        join(&mut self.colour, other.colour);
+        self.beams.append(&mut other.beams);
+    }
+
+    /// The flags of the planes that are there.
+    pub(super) fn plane_flags(&self) -> u8 {
+        let flag = |there: bool, flag: u8| if there { flag } else { 0 };
+        flag(self.starts.is_some(), Header::FLAG_ORIGIN_EACH)
+            | flag(self.intensity.is_some(), Header::FLAG_INTENSITY)
+            | flag(self.colour.is_some(), Header::FLAG_COLOUR)
+    }
+}

@@ -1,0 +1,39 @@
+//! The optional planes behind the beams: starts, intensity, colour.
+
+use super::bitpack;
+use super::{Content, Header};
+use crate::error::Result;
+use crate::num::bytes::Reader;
+
+/// Appends intensity, then colour (green, and red and blue that follow it), as far as they are there.
+pub fn pack(content: &Content, out: &mut Vec<u8>) {
+    if let Some(intensity) = &content.intensity {
+        bitpack::pack(&intensity.iter().map(|&v| i32::from(v)).collect::<Vec<_>>(), None, out);
+    }
+    if let Some(colour) = &content.colour {
+        let [red, green, blue] = [0, 1, 2].map(|k| colour.iter().map(|c| i32::from(c[k])).collect::<Vec<_>>());
+        bitpack::pack(&green, None, out);
+        bitpack::pack(&red, Some(&green), out);
+        bitpack::pack(&blue, Some(&green), out);
+    }
+}
+
+/// Reads what [`pack`] wrote into `content`, whose beams are there.
+pub fn unpack(r: &mut Reader, flags: u8, content: &mut Content) -> Result<()> {
+    let n = content.len();
+    if flags & Header::FLAG_INTENSITY != 0 {
+        let column = bitpack::unpack(r, n, None)?;
+        content.intensity = Some(column.into_iter().map(|v| narrow(r, v)).collect::<Result<_>>()?);
+    }
+    if flags & Header::FLAG_COLOUR != 0 {
+        let green = bitpack::unpack(r, n, None)?;
+        let [red, blue] = [bitpack::unpack(r, n, Some(&green))?, bitpack::unpack(r, n, Some(&green))?];
+        let colour = |i: usize| Ok([narrow(r, red[i])?, narrow(r, green[i])?, narrow(r, blue[i])?]);
+        content.colour = Some((0..n).map(colour).collect::<Result<_>>()?);
+    }
+    Ok(())
+}
+
+fn narrow<T: TryFrom<i32>>(r: &Reader, value: i32) -> Result<T> {
+    T::try_from(value).map_err(|_| r.bad(format!("intensity or colour {value}")))
+}
