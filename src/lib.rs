@@ -4,6 +4,7 @@
 //!
 //! * [`types`]: one SQL type a file, its input and output, constructors and accessors;
 //! * [`aggregates`]: transition, combine, serialise, final;
+//! * [`planner`]: statistics and selectivity;
 //! * [`gist`]: index support; the algorithms on boxes are core's;
 //! * [`error`]: the one map from core's errors to SQLSTATE and hint;
 //! * [`pg`]: the only place that touches PostgreSQL's memory.
@@ -14,6 +15,7 @@ mod aggregates;
 mod error;
 mod gist;
 mod pg;
+mod planner;
 mod types;
 
 pgrx::pg_module_magic!(name, version);

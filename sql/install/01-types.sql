@@ -3,6 +3,26 @@
 CREATE TYPE ab_loa AS ENUM ('LOA10', 'LOA20', 'LOA30', 'LOA40', 'LOA50');
 COMMENT ON TYPE ab_loa IS 'USIBD Level of Accuracy, coarsest first; bounds in ab_loa_class()';
 
+-- What ANALYZE and the planner ask.
+
+CREATE FUNCTION ab_typanalyze(internal) RETURNS boolean AS 'MODULE_PATHNAME', 'ab_typanalyze' LANGUAGE c STRICT PARALLEL SAFE STABLE;
+COMMENT ON FUNCTION ab_typanalyze(internal) IS 'ANALYZE of a column of boxes, solids, patches, points or lines: where they lie and how large they are';
+
+CREATE FUNCTION ab_overlap_sel(internal, oid, internal, integer) RETURNS float8 AS 'MODULE_PATHNAME', 'ab_overlap_sel' LANGUAGE c STABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_overlap_sel(internal, oid, internal, integer) IS 'Planner: share of rows that && finds';
+CREATE FUNCTION ab_overlap_join_sel(internal, oid, internal, smallint, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'ab_overlap_join_sel' LANGUAGE c STABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_overlap_join_sel(internal, oid, internal, smallint, internal) IS 'Planner: share of pairs that && finds';
+
+CREATE FUNCTION ab_contains_sel(internal, oid, internal, integer) RETURNS float8 AS 'MODULE_PATHNAME', 'ab_contains_sel' LANGUAGE c STABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_contains_sel(internal, oid, internal, integer) IS 'Planner: share of rows that @> finds';
+CREATE FUNCTION ab_contains_join_sel(internal, oid, internal, smallint, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'ab_contains_join_sel' LANGUAGE c STABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_contains_join_sel(internal, oid, internal, smallint, internal) IS 'Planner: share of pairs that @> finds';
+
+CREATE FUNCTION ab_contained_sel(internal, oid, internal, integer) RETURNS float8 AS 'MODULE_PATHNAME', 'ab_contained_sel' LANGUAGE c STABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_contained_sel(internal, oid, internal, integer) IS 'Planner: share of rows that <@ finds';
+CREATE FUNCTION ab_contained_join_sel(internal, oid, internal, smallint, internal) RETURNS float8 AS 'MODULE_PATHNAME', 'ab_contained_join_sel' LANGUAGE c STABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_contained_join_sel(internal, oid, internal, smallint, internal) IS 'Planner: share of pairs that <@ finds';
+
 CREATE TYPE ab_box;
 CREATE FUNCTION ab_box_in(cstring) RETURNS ab_box AS 'MODULE_PATHNAME', 'ab_box_in' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION ab_box_out(ab_box) RETURNS cstring AS 'MODULE_PATHNAME', 'ab_box_out' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
@@ -12,7 +32,7 @@ COMMENT ON FUNCTION ab_box_in(cstring) IS 'Text input of ab_box';
 COMMENT ON FUNCTION ab_box_out(ab_box) IS 'Text output of ab_box';
 COMMENT ON FUNCTION ab_box_recv(internal) IS 'Binary input of ab_box';
 COMMENT ON FUNCTION ab_box_send(ab_box) IS 'Binary output of ab_box';
-CREATE TYPE ab_box (INPUT = ab_box_in, OUTPUT = ab_box_out, RECEIVE = ab_box_recv, SEND = ab_box_send, INTERNALLENGTH = 48, ALIGNMENT = double);
+CREATE TYPE ab_box (INPUT = ab_box_in, OUTPUT = ab_box_out, RECEIVE = ab_box_recv, SEND = ab_box_send, INTERNALLENGTH = 48, ALIGNMENT = double, ANALYZE = ab_typanalyze);
 COMMENT ON TYPE ab_box IS 'An axis-aligned box in metres; text BOX3D(x y z,x y z) as PostGIS prints a box3d';
 
 CREATE TYPE ab_mass;
@@ -36,7 +56,7 @@ COMMENT ON FUNCTION ab_solid_in(cstring) IS 'Text input of ab_solid';
 COMMENT ON FUNCTION ab_solid_out(ab_solid) IS 'Text output of ab_solid';
 COMMENT ON FUNCTION ab_solid_recv(internal) IS 'Binary input of ab_solid';
 COMMENT ON FUNCTION ab_solid_send(ab_solid) IS 'Binary output of ab_solid';
-CREATE TYPE ab_solid (INPUT = ab_solid_in, OUTPUT = ab_solid_out, RECEIVE = ab_solid_recv, SEND = ab_solid_send, INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = extended);
+CREATE TYPE ab_solid (INPUT = ab_solid_in, OUTPUT = ab_solid_out, RECEIVE = ab_solid_recv, SEND = ab_solid_send, INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = extended, ANALYZE = ab_typanalyze);
 COMMENT ON TYPE ab_solid IS 'A triangle mesh in world metres with box, area, volume and closedness: the geometry of a building object';
 
 CREATE TYPE ab_scan;
@@ -48,7 +68,7 @@ COMMENT ON FUNCTION ab_scan_in(cstring) IS 'Text input of ab_scan';
 COMMENT ON FUNCTION ab_scan_out(ab_scan) IS 'Text output of ab_scan';
 COMMENT ON FUNCTION ab_scan_recv(internal) IS 'Binary input of ab_scan';
 COMMENT ON FUNCTION ab_scan_send(ab_scan) IS 'Binary output of ab_scan';
-CREATE TYPE ab_scan (INPUT = ab_scan_in, OUTPUT = ab_scan_out, RECEIVE = ab_scan_recv, SEND = ab_scan_send, INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = external);
+CREATE TYPE ab_scan (INPUT = ab_scan_in, OUTPUT = ab_scan_out, RECEIVE = ab_scan_recv, SEND = ab_scan_send, INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = external, ANALYZE = ab_typanalyze);
 COMMENT ON TYPE ab_scan IS 'A patch of at most 4096 neighbouring laser beams from one origin, packed to 0.1 mm; box and cone are readable without the beams';
 
 CREATE TYPE ab_evidence_model;
@@ -84,7 +104,7 @@ COMMENT ON FUNCTION ab_point_in(cstring) IS 'Text input of ab_point';
 COMMENT ON FUNCTION ab_point_out(ab_point) IS 'Text output of ab_point';
 COMMENT ON FUNCTION ab_point_recv(internal) IS 'Binary input of ab_point';
 COMMENT ON FUNCTION ab_point_send(ab_point) IS 'Binary output of ab_point';
-CREATE TYPE ab_point (INPUT = ab_point_in, OUTPUT = ab_point_out, RECEIVE = ab_point_recv, SEND = ab_point_send, INTERNALLENGTH = 72, ALIGNMENT = double);
+CREATE TYPE ab_point (INPUT = ab_point_in, OUTPUT = ab_point_out, RECEIVE = ab_point_recv, SEND = ab_point_send, INTERNALLENGTH = 72, ALIGNMENT = double, ANALYZE = ab_typanalyze);
 COMMENT ON TYPE ab_point IS 'A point in metres with its 3 x 3 covariance: (x,y,z;xx,xy,xz,yy,yz,zz)';
 
 CREATE TYPE ab_line;
@@ -96,7 +116,7 @@ COMMENT ON FUNCTION ab_line_in(cstring) IS 'Text input of ab_line';
 COMMENT ON FUNCTION ab_line_out(ab_line) IS 'Text output of ab_line';
 COMMENT ON FUNCTION ab_line_recv(internal) IS 'Binary input of ab_line';
 COMMENT ON FUNCTION ab_line_send(ab_line) IS 'Binary output of ab_line';
-CREATE TYPE ab_line (INPUT = ab_line_in, OUTPUT = ab_line_out, RECEIVE = ab_line_recv, SEND = ab_line_send, INTERNALLENGTH = 216, ALIGNMENT = double);
+CREATE TYPE ab_line (INPUT = ab_line_in, OUTPUT = ab_line_out, RECEIVE = ab_line_recv, SEND = ab_line_send, INTERNALLENGTH = 216, ALIGNMENT = double, ANALYZE = ab_typanalyze);
 COMMENT ON TYPE ab_line IS 'A line as a segment between two uncertain points, with their joint 6 x 6 covariance: (x,y,z,x,y,z;upper triangle)';
 
 CREATE TYPE ab_plane;

@@ -45,31 +45,31 @@ CREATE FUNCTION ab_overlaps(a ab_scan, b ab_scan) RETURNS boolean
 COMMENT ON FUNCTION ab_overlaps(ab_scan, ab_scan) IS 'Boxes overlap; for a scan the hull of its beams counts';
 
 CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&,
-    RESTRICT = areasel, JOIN = areajoinsel);
+    RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_box, ab_box) IS 'Boxes overlap; for a scan the hull of its beams counts';
 CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_solid, FUNCTION = ab_overlaps, COMMUTATOR = &&,
-    RESTRICT = areasel, JOIN = areajoinsel);
+    RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_box, ab_solid) IS 'Boxes overlap; for a scan the hull of its beams counts';
 CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_scan, FUNCTION = ab_overlaps, COMMUTATOR = &&,
-    RESTRICT = areasel, JOIN = areajoinsel);
+    RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_box, ab_scan) IS 'Boxes overlap; for a scan the hull of its beams counts';
 CREATE OPERATOR && (LEFTARG = ab_solid, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&,
-    RESTRICT = areasel, JOIN = areajoinsel);
+    RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_solid, ab_box) IS 'Boxes overlap; for a scan the hull of its beams counts';
 CREATE OPERATOR && (LEFTARG = ab_solid, RIGHTARG = ab_solid, FUNCTION = ab_overlaps, COMMUTATOR = &&,
-    RESTRICT = areasel, JOIN = areajoinsel);
+    RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_solid, ab_solid) IS 'Boxes overlap; for a scan the hull of its beams counts';
 CREATE OPERATOR && (LEFTARG = ab_solid, RIGHTARG = ab_scan, FUNCTION = ab_overlaps, COMMUTATOR = &&,
-    RESTRICT = areasel, JOIN = areajoinsel);
+    RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_solid, ab_scan) IS 'Boxes overlap; for a scan the hull of its beams counts';
 CREATE OPERATOR && (LEFTARG = ab_scan, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&,
-    RESTRICT = areasel, JOIN = areajoinsel);
+    RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_scan, ab_box) IS 'Boxes overlap; for a scan the hull of its beams counts';
 CREATE OPERATOR && (LEFTARG = ab_scan, RIGHTARG = ab_solid, FUNCTION = ab_overlaps, COMMUTATOR = &&,
-    RESTRICT = areasel, JOIN = areajoinsel);
+    RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_scan, ab_solid) IS 'Boxes overlap; for a scan the hull of its beams counts';
 CREATE OPERATOR && (LEFTARG = ab_scan, RIGHTARG = ab_scan, FUNCTION = ab_overlaps, COMMUTATOR = &&,
-    RESTRICT = areasel, JOIN = areajoinsel);
+    RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_scan, ab_scan) IS 'Boxes overlap; for a scan the hull of its beams counts';
 
 CREATE OPERATOR ~= (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_equal, COMMUTATOR = ~=,

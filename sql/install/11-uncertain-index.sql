@@ -294,15 +294,15 @@ COMMENT ON FUNCTION ab_overlaps(ab_box, ab_point) IS 'Boxes overlap; for a point
 CREATE FUNCTION ab_overlaps(a ab_box, b ab_line) RETURNS boolean
     AS 'MODULE_PATHNAME', 'ab_overlaps_box_line' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
 COMMENT ON FUNCTION ab_overlaps(ab_box, ab_line) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
-CREATE OPERATOR && (LEFTARG = ab_point, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+CREATE OPERATOR && (LEFTARG = ab_point, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_point, ab_box) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
-CREATE OPERATOR && (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+CREATE OPERATOR && (LEFTARG = ab_point, RIGHTARG = ab_point, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_point, ab_point) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
-CREATE OPERATOR && (LEFTARG = ab_line, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+CREATE OPERATOR && (LEFTARG = ab_line, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_line, ab_box) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
-CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_point, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_point, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_box, ab_point) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
-CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_line, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_line, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_box, ab_line) IS 'Boxes overlap; for a point or line the one grown by five standard deviations';
 
 CREATE FUNCTION ab_overlaps(a ab_solid, b ab_point) RETURNS boolean
@@ -312,9 +312,9 @@ COMMENT ON FUNCTION ab_overlaps(ab_solid, ab_point) IS 'Does a solid, grown by 0
 CREATE FUNCTION ab_overlaps(a ab_point, b ab_solid) RETURNS boolean
     AS 'MODULE_PATHNAME', 'ab_overlaps_point_solid' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
 COMMENT ON FUNCTION ab_overlaps(ab_point, ab_solid) IS 'Does a solid, grown by 0.25 m as for scans, meet the box of a point grown by five standard deviations';
-CREATE OPERATOR && (LEFTARG = ab_solid, RIGHTARG = ab_point, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+CREATE OPERATOR && (LEFTARG = ab_solid, RIGHTARG = ab_point, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_solid, ab_point) IS 'A point may be of a solid: its box of five standard deviations meets the solid''s, grown by 0.25 m';
-CREATE OPERATOR && (LEFTARG = ab_point, RIGHTARG = ab_solid, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = areasel, JOIN = areajoinsel);
+CREATE OPERATOR && (LEFTARG = ab_point, RIGHTARG = ab_solid, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
 COMMENT ON OPERATOR && (ab_point, ab_solid) IS 'A point may be of a solid: its box of five standard deviations meets the solid''s, grown by 0.25 m';
 
 CREATE FUNCTION ab_within(a ab_point, b ab_point, sigmas float8) RETURNS boolean

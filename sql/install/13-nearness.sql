@@ -11,9 +11,9 @@ COMMENT ON FUNCTION ab_contained(ab_box, ab_box) IS 'Does a box lie in a box';
 CREATE FUNCTION ab_box_distance(a ab_box, b ab_box) RETURNS float8
     AS 'MODULE_PATHNAME', 'ab_box_distance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
 COMMENT ON FUNCTION ab_box_distance(ab_box, ab_box) IS 'Least distance of a box from a box, metres';
-CREATE OPERATOR @> (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR @> (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
 COMMENT ON OPERATOR @> (ab_box, ab_box) IS 'Does a box hold a box';
-CREATE OPERATOR <@ (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR <@ (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
 COMMENT ON OPERATOR <@ (ab_box, ab_box) IS 'Does a box lie in a box';
 CREATE OPERATOR <-> (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_box_distance);
 COMMENT ON OPERATOR <-> (ab_box, ab_box) IS 'Least distance of a box from a box, metres; for nearest first';
@@ -43,15 +43,15 @@ CREATE FUNCTION ab_contained(a ab_box, b ab_solid) RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE STRICT COST 5
     RETURN ab_contains(b, a);
 COMMENT ON FUNCTION ab_contained(ab_box, ab_solid) IS 'Does a box lie in the box of a solid';
-CREATE OPERATOR @> (LEFTARG = ab_solid, RIGHTARG = ab_box, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR @> (LEFTARG = ab_solid, RIGHTARG = ab_box, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
 COMMENT ON OPERATOR @> (ab_solid, ab_box) IS 'Does the box of a solid hold a box';
-CREATE OPERATOR <@ (LEFTARG = ab_solid, RIGHTARG = ab_box, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR <@ (LEFTARG = ab_solid, RIGHTARG = ab_box, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
 COMMENT ON OPERATOR <@ (ab_solid, ab_box) IS 'Does the box of a solid lie in a box';
-CREATE OPERATOR @> (LEFTARG = ab_box, RIGHTARG = ab_solid, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR @> (LEFTARG = ab_box, RIGHTARG = ab_solid, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
 COMMENT ON OPERATOR @> (ab_box, ab_solid) IS 'Does a box hold the box of a solid';
-CREATE OPERATOR <@ (LEFTARG = ab_box, RIGHTARG = ab_solid, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR <@ (LEFTARG = ab_box, RIGHTARG = ab_solid, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
 COMMENT ON OPERATOR <@ (ab_box, ab_solid) IS 'Does a box lie in the box of a solid';
-CREATE OPERATOR ~= (LEFTARG = ab_solid, RIGHTARG = ab_box, FUNCTION = ab_same, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR ~= (LEFTARG = ab_solid, RIGHTARG = ab_box, FUNCTION = ab_same, RESTRICT = eqsel, JOIN = eqjoinsel);
 COMMENT ON OPERATOR ~= (ab_solid, ab_box) IS 'Is the box of a solid that box';
 CREATE OPERATOR <-> (LEFTARG = ab_solid, RIGHTARG = ab_box, FUNCTION = ab_box_distance);
 COMMENT ON OPERATOR <-> (ab_solid, ab_box) IS 'Least distance of the box of a solid from a box, metres; for nearest first';
@@ -81,15 +81,15 @@ CREATE FUNCTION ab_contained(a ab_box, b ab_scan) RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE STRICT COST 5
     RETURN ab_contains(b, a);
 COMMENT ON FUNCTION ab_contained(ab_box, ab_scan) IS 'Does a box lie in the hull of a patch';
-CREATE OPERATOR @> (LEFTARG = ab_scan, RIGHTARG = ab_box, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR @> (LEFTARG = ab_scan, RIGHTARG = ab_box, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
 COMMENT ON OPERATOR @> (ab_scan, ab_box) IS 'Does the hull of a patch hold a box';
-CREATE OPERATOR <@ (LEFTARG = ab_scan, RIGHTARG = ab_box, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR <@ (LEFTARG = ab_scan, RIGHTARG = ab_box, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
 COMMENT ON OPERATOR <@ (ab_scan, ab_box) IS 'Does the hull of a patch lie in a box';
-CREATE OPERATOR @> (LEFTARG = ab_box, RIGHTARG = ab_scan, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR @> (LEFTARG = ab_box, RIGHTARG = ab_scan, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
 COMMENT ON OPERATOR @> (ab_box, ab_scan) IS 'Does a box hold the hull of a patch';
-CREATE OPERATOR <@ (LEFTARG = ab_box, RIGHTARG = ab_scan, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR <@ (LEFTARG = ab_box, RIGHTARG = ab_scan, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
 COMMENT ON OPERATOR <@ (ab_box, ab_scan) IS 'Does a box lie in the hull of a patch';
-CREATE OPERATOR ~= (LEFTARG = ab_scan, RIGHTARG = ab_box, FUNCTION = ab_same, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR ~= (LEFTARG = ab_scan, RIGHTARG = ab_box, FUNCTION = ab_same, RESTRICT = eqsel, JOIN = eqjoinsel);
 COMMENT ON OPERATOR ~= (ab_scan, ab_box) IS 'Is the hull of a patch that box';
 CREATE OPERATOR <-> (LEFTARG = ab_scan, RIGHTARG = ab_box, FUNCTION = ab_box_distance);
 COMMENT ON OPERATOR <-> (ab_scan, ab_box) IS 'Least distance of the box of a patch''s returns from a box, metres; infinite without returns; for nearest first';
@@ -119,15 +119,15 @@ CREATE FUNCTION ab_contained(a ab_box, b ab_point) RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE STRICT COST 5
     RETURN ab_contains(b, a);
 COMMENT ON FUNCTION ab_contained(ab_box, ab_point) IS 'Does a box lie in the box of a point grown by five standard deviations';
-CREATE OPERATOR @> (LEFTARG = ab_point, RIGHTARG = ab_box, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR @> (LEFTARG = ab_point, RIGHTARG = ab_box, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
 COMMENT ON OPERATOR @> (ab_point, ab_box) IS 'Does the box of a point grown by five standard deviations hold a box';
-CREATE OPERATOR <@ (LEFTARG = ab_point, RIGHTARG = ab_box, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR <@ (LEFTARG = ab_point, RIGHTARG = ab_box, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
 COMMENT ON OPERATOR <@ (ab_point, ab_box) IS 'Does the box of a point grown by five standard deviations lie in a box';
-CREATE OPERATOR @> (LEFTARG = ab_box, RIGHTARG = ab_point, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR @> (LEFTARG = ab_box, RIGHTARG = ab_point, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
 COMMENT ON OPERATOR @> (ab_box, ab_point) IS 'Does a box hold the box of a point grown by five standard deviations';
-CREATE OPERATOR <@ (LEFTARG = ab_box, RIGHTARG = ab_point, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR <@ (LEFTARG = ab_box, RIGHTARG = ab_point, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
 COMMENT ON OPERATOR <@ (ab_box, ab_point) IS 'Does a box lie in the box of a point grown by five standard deviations';
-CREATE OPERATOR ~= (LEFTARG = ab_point, RIGHTARG = ab_box, FUNCTION = ab_same, RESTRICT = contsel, JOIN = contjoinsel);
+CREATE OPERATOR ~= (LEFTARG = ab_point, RIGHTARG = ab_box, FUNCTION = ab_same, RESTRICT = eqsel, JOIN = eqjoinsel);
 COMMENT ON OPERATOR ~= (ab_point, ab_box) IS 'Is the box of a point grown by five standard deviations that box';
 CREATE OPERATOR <-> (LEFTARG = ab_point, RIGHTARG = ab_box, FUNCTION = ab_box_distance);
 COMMENT ON OPERATOR <-> (ab_point, ab_box) IS 'Least distance of the box of a point grown by five standard deviations from a box, metres; for nearest first';
@@ -191,3 +191,15 @@ ALTER OPERATOR FAMILY ab_point_gist_ops USING gist ADD
     OPERATOR 10 @> (ab_point, ab_box), OPERATOR 11 <@ (ab_point, ab_box), OPERATOR 12 ~= (ab_point, ab_box),
     OPERATOR 13 <-> (ab_point, ab_box) FOR ORDER BY float_ops, OPERATOR 14 <-> (ab_point, ab_point) FOR ORDER BY float_ops,
     FUNCTION 8 (ab_point, ab_point) ab_gist_distance(internal, ab_point, smallint, oid, internal);
+
+-- A sorted build: keys along a Hilbert curve.
+
+CREATE FUNCTION ab_gist_sort(support internal) RETURNS void
+    AS 'MODULE_PATHNAME', 'ab_gist_sort' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gist_sort(internal) IS 'GiST support';
+
+ALTER OPERATOR FAMILY ab_box_gist_ops USING gist ADD FUNCTION 11 (ab_box, ab_box) ab_gist_sort(internal);
+ALTER OPERATOR FAMILY ab_solid_gist_ops USING gist ADD FUNCTION 11 (ab_solid, ab_solid) ab_gist_sort(internal);
+ALTER OPERATOR FAMILY ab_scan_gist_ops USING gist ADD FUNCTION 11 (ab_scan, ab_scan) ab_gist_sort(internal);
+ALTER OPERATOR FAMILY ab_point_gist_ops USING gist ADD FUNCTION 11 (ab_point, ab_point) ab_gist_sort(internal);
+ALTER OPERATOR FAMILY ab_line_gist_ops USING gist ADD FUNCTION 11 (ab_line, ab_line) ab_gist_sort(internal);

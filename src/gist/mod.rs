@@ -1,11 +1,11 @@
 //! GiST support for everything that has a box. Keys are `ab_box`; `&&` is answered by the key alone.
 
 use asbuilt_core::geometry::split::{penalty, split};
-use asbuilt_core::geometry::{Aabb, Solid};
+use asbuilt_core::geometry::{Aabb, Solid, hilbert};
 use asbuilt_core::scan::Header;
 use asbuilt_core::uncertain::{Line, Point, Stored};
 
-use crate::pg::{Args, KeyVector, PickSplit, Ret, sql_functions};
+use crate::pg::{Args, KeyVector, PickSplit, Place, Ret, sorted_by, sql_functions};
 use crate::types::overlap::{INDEX_SIGMAS, near_solid, of_box, of_point, of_scan, of_solid, place};
 use crate::types::{BOX_LEN, box_bytes, box_from};
 
@@ -46,7 +46,18 @@ fn nearest(args: &Args, recheck: bool) -> asbuilt_core::Result<Ret> {
     Ok(Ret::F64(key(args, 0).distance(&query)))
 }
 
+/// Keys of a sorted build lie along a Hilbert curve.
+struct Curve;
+
+impl Place<BOX_LEN> for Curve {
+    fn of(key: &[u8; BOX_LEN]) -> u64 {
+        hilbert(&box_from(key))
+    }
+}
+
 sql_functions! {
+    fn ab_gist_sort(args) { Ok(sorted_by::<Curve, BOX_LEN>(args)) }
+
     /// consistent(entry, query, strategy, subtype, recheck)
     fn ab_gist_consistent(args) {
         let strategy = args.i16(2);

@@ -22,6 +22,17 @@ impl Args {
         Self { fcinfo }
     }
 
+    /// A value that no call brought, as argument 0; in the current memory context.
+    pub(super) unsafe fn of_value(value: pg_sys::Datum) -> Self {
+        unsafe {
+            let size = size_of::<pg_sys::FunctionCallInfoBaseData>() + size_of::<pg_sys::NullableDatum>();
+            let fcinfo: pg_sys::FunctionCallInfo = pg_sys::palloc0(size).cast();
+            (*fcinfo).nargs = 1;
+            (*fcinfo).args.as_mut_ptr().write(pg_sys::NullableDatum { value, isnull: false });
+            Self { fcinfo }
+        }
+    }
+
     pub(super) fn fcinfo(&self) -> pg_sys::FunctionCallInfo {
         self.fcinfo
     }

@@ -1,8 +1,9 @@
-//! The only place with `unsafe`: PostgreSQL's calling convention, memory, arrays, rows, interrupts.
+//! The only place with `unsafe`: PostgreSQL's calling convention, memory, arrays, rows, interrupts, the planner's questions.
 //!
 //! Everything outside sees safe types: [`Args`] to read arguments, [`Ret`] to return, [`Rows`] to return many.
 
 mod aggregate;
+mod analyze;
 mod args;
 mod array;
 mod function;
@@ -10,9 +11,13 @@ mod gist;
 mod interrupt;
 mod ret;
 mod rows;
+mod selectivity;
+mod sort;
 mod toast;
+mod type_name;
 
 pub use aggregate::{AggState, aggregate_state, deserialised_state};
+pub use analyze::{Statistics, analysed_by};
 pub use args::Args;
 pub use function::run;
 pub(crate) use function::sql_functions;
@@ -20,3 +25,6 @@ pub use gist::{KeyVector, PickSplit};
 pub use interrupt::interrupt;
 pub use ret::Ret;
 pub use rows::{Field, Rows};
+pub use selectivity::{Known, Other, Restriction, join, restriction};
+pub use sort::{Place, sorted_by};
+pub use type_name::type_name;

@@ -42,7 +42,8 @@ pub fn place(args: &Args, i: usize) -> Result<Aabb> {
     Ok(Aabb { min: at, max: at })
 }
 
-fn of_line(args: &Args, i: usize) -> Result<Aabb> {
+/// A line grown by [`INDEX_SIGMAS`].
+pub fn of_line(args: &Args, i: usize) -> Result<Aabb> {
     Ok(uncertain::value::<Line, 27>(args, i).bounds(INDEX_SIGMAS))
 }
 

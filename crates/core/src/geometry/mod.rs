@@ -2,16 +2,20 @@
 
 mod aabb;
 mod adjacency;
+mod box_statistics;
 mod closedness;
 mod face;
+mod hilbert;
 mod orient;
 mod solid;
 pub mod split;
 mod weld;
 
 pub use aabb::Aabb;
+pub use box_statistics::{BoxStatistics, Relation};
 pub use closedness::Closedness;
 pub use face::{Faces, group_faces};
+pub use hilbert::hilbert;
 pub use orient::orient;
 pub use solid::{Solid, SolidHeader};
 

@@ -1,0 +1,134 @@
+//! What a selectivity estimator is asked: an operator's arguments as the planner knows them.
+
+use pgrx::pg_sys;
+
+use super::analyze::BOX_STATISTICS;
+use super::{Args, type_name};
+
+/// What the planner knows of a column: statistics of ours, if it was analysed.
+#[derive(Debug)]
+pub struct Known {
+    /// Name of its type.
+    pub type_name: String,
+    /// Share of rows that are not NULL.
+    pub present: f64,
+    /// What ANALYZE kept.
+    pub numbers: Option<Vec<f64>>,
+    /// Rows of its table that reach the operator.
+    pub rows: f64,
+}
+
+/// The side of an operator that is not the column.
+#[derive(Debug)]
+pub enum Other {
+    /// A value, as argument 0, and the name of its type.
+    Value(Args, String),
+    /// NULL.
+    Null,
+    /// A column of another table.
+    Column(Known),
+    /// Known only when the query runs.
+    Unknown,
+}
+
+/// `column OP other`, or the other way round.
+#[derive(Debug)]
+pub struct Restriction {
+    /// The column.
+    pub column: Known,
+    /// What it is compared with.
+    pub other: Other,
+    /// Whether the column stands on the left.
+    pub column_on_left: bool,
+}
+
+/// The arguments (root, operator, args, varRelid) of a restriction estimator; `None` where no column can be told.
+pub fn restriction(args: &Args) -> Option<Restriction> {
+    unsafe {
+        let (root, list) = (args.datum(0).cast_mut_ptr(), args.datum(2).cast_mut_ptr());
+        let mut data = pg_sys::VariableStatData::default();
+        let (mut node, mut column_on_left) = (std::ptr::null_mut(), false);
+        if !pg_sys::get_restriction_variable(root, list, args.i32(3), &mut data, &mut node, &mut column_on_left) {
+            return None;
+        }
+        let column = known(&data);
+        let other = other(root, pg_sys::estimate_expression_value(root, node));
+        release(&data);
+        Some(Restriction { column, other, column_on_left })
+    }
+}
+
+unsafe fn other(root: *mut pg_sys::PlannerInfo, node: *mut pg_sys::Node) -> Other {
+    unsafe {
+        if pgrx::nodes::is_a(node, pg_sys::NodeTag::T_Const) {
+            let constant = &*node.cast::<pg_sys::Const>();
+            return if constant.constisnull {
+                Other::Null
+            } else {
+                Other::Value(Args::of_value(constant.constvalue), type_name(constant.consttype))
+            };
+        }
+        let mut data = pg_sys::VariableStatData::default();
+        pg_sys::examine_variable(root, node, 0, &mut data);
+        let column = known(&data);
+        release(&data);
+        if column.numbers.is_some() { Other::Column(column) } else { Other::Unknown }
+    }
+}
+
+/// `left OP right` between columns of two tables.
+#[derive(Debug)]
+pub struct Join {
+    /// The left column.
+    pub left: Known,
+    /// The right column.
+    pub right: Known,
+    /// Of a semi or anti join, the rows that the inner side has.
+    pub inner_rows: Option<f64>,
+}
+
+/// The arguments (root, operator, args, jointype, sjinfo) of a join estimator.
+pub fn join(args: &Args) -> Join {
+    unsafe {
+        let (root, list) = (args.datum(0).cast_mut_ptr(), args.datum(2).cast_mut_ptr());
+        let special: *mut pg_sys::SpecialJoinInfo = args.datum(4).cast_mut_ptr();
+        let mut data = [pg_sys::VariableStatData::default(), pg_sys::VariableStatData::default()];
+        let mut reversed = false;
+        let [first, second] = &mut data;
+        pg_sys::get_join_variables(root, list, special, first, second, &mut reversed);
+        let [left, right] = [known(first), known(second)];
+        data.iter().for_each(|d| release(d));
+        let kind = (*special).jointype;
+        let semi = kind == pg_sys::JoinType::JOIN_SEMI || kind == pg_sys::JoinType::JOIN_ANTI;
+        let inner_rows = semi.then_some(if reversed { left.rows } else { right.rows });
+        Join { left, right, inner_rows }
+    }
+}
+
+unsafe fn known(data: &pg_sys::VariableStatData) -> Known {
+    unsafe {
+        let rows = if data.rel.is_null() { 1.0 } else { (*data.rel).rows.max(1.0) };
+        let mut out = Known { type_name: type_name(data.vartype), present: 1.0, numbers: None, rows };
+        if data.statsTuple.is_null() {
+            return out;
+        }
+        let row = pg_sys::GETSTRUCT(data.statsTuple).cast::<pg_sys::FormData_pg_statistic>();
+        out.present = 1.0 - f64::from((*row).stanullfrac);
+        let mut slot = pg_sys::AttStatsSlot::default();
+        let (kind, values) = (i32::from(BOX_STATISTICS), pg_sys::ATTSTATSSLOT_VALUES as i32);
+        if pg_sys::get_attstatsslot(&mut slot, data.statsTuple, kind, pg_sys::InvalidOid, values) {
+            if slot.valuetype == pg_sys::FLOAT8OID {
+                let number = |i: usize| f64::from_bits((*slot.values.add(i)).value() as u64);
+                out.numbers = Some((0..slot.nvalues as usize).map(number).collect());
+            }
+            pg_sys::free_attstatsslot(&mut slot);
+        }
+        out
+    }
+}
+
+unsafe fn release(data: &pg_sys::VariableStatData) {
+    if let (false, Some(free)) = (data.statsTuple.is_null(), data.freefunc) {
+        unsafe { free(data.statsTuple) };
+    }
+}

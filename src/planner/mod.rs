@@ -1,0 +1,99 @@
+//! What the planner is told: statistics of the boxes of a column (ANALYZE), and from them how many rows `&&`, `@>` and
+//! `<@` will find.
+
+use asbuilt_core::Result;
+use asbuilt_core::geometry::{Aabb, BoxStatistics, Relation};
+use asbuilt_core::scan::JOIN_MARGIN_M;
+
+use crate::pg::{Args, Known, Other, Restriction, Ret, Statistics, analysed_by, join, restriction, sql_functions};
+use crate::types::overlap::{of_box, of_line, of_point, of_scan, of_solid};
+
+/// Where nothing is known of a table, because it was never analysed. Small enough that an index is used.
+const UNKNOWN: f64 = 1e-4;
+
+struct Boxes;
+
+impl Statistics for Boxes {
+    fn of(type_name: &str, sample: &mut dyn Iterator<Item = Args>) -> Option<Vec<f64>> {
+        // A damaged value is passed over: reading it will tell, ANALYZE goes on.
+        let boxes: Vec<Aabb> = sample.filter_map(|value| box_of(type_name, &value)).collect();
+        Some(BoxStatistics::of(&boxes)?.to_numbers())
+    }
+}
+
+/// The box of argument 0 as `&&` sees it.
+fn box_of(type_name: &str, value: &Args) -> Option<Aabb> {
+    let own = match type_name {
+        "ab_box" => of_box,
+        "ab_solid" => of_solid,
+        "ab_scan" => of_scan,
+        "ab_point" => of_point,
+        "ab_line" => of_line,
+        _ => return None,
+    };
+    own(value, 0).ok()
+}
+
+fn statistics(column: &Known) -> Option<BoxStatistics> {
+    BoxStatistics::from_numbers(column.numbers.as_deref()?)
+}
+
+/// A point overlaps a solid from some distance on.
+fn margin(a: &str, b: &str) -> f64 {
+    let pair = [a, b];
+    if pair.contains(&"ab_point") && pair.contains(&"ab_solid") { JOIN_MARGIN_M } else { 0.0 }
+}
+
+fn mirrored(relation: Relation) -> Relation {
+    match relation {
+        Relation::Overlaps => Relation::Overlaps,
+        Relation::Contains => Relation::Contained,
+        Relation::Contained => Relation::Contains,
+    }
+}
+
+fn share_of_rows(args: &Args, relation: Relation) -> Result<Ret> {
+    let share = restriction(args).map_or(UNKNOWN, |r| restricted(&r, relation).unwrap_or(UNKNOWN));
+    Ok(Ret::F64(share))
+}
+
+fn restricted(r: &Restriction, relation: Relation) -> Option<f64> {
+    let own = statistics(&r.column)?;
+    let relation = if r.column_on_left { relation } else { mirrored(relation) };
+    let share = match &r.other {
+        Other::Null => 0.0,
+        Other::Value(value, name) => {
+            let query = box_of(name, value)?;
+            own.selectivity(&query.expanded(margin(&r.column.type_name, name)), relation)
+        }
+        Other::Column(other) => {
+            own.join_selectivity(&statistics(other)?, relation, margin(&r.column.type_name, &other.type_name))
+        }
+        // What is asked for is like what is there.
+        Other::Unknown => own.join_selectivity(&own, relation, 0.0),
+    };
+    Some(share * r.column.present)
+}
+
+fn share_of_pairs(args: &Args, relation: Relation) -> Result<Ret> {
+    let j = join(args);
+    let known = statistics(&j.left).zip(statistics(&j.right)).map(|(left, right)| {
+        let margin = margin(&j.left.type_name, &j.right.type_name);
+        left.join_selectivity(&right, relation, margin) * j.left.present * j.right.present
+    });
+    let pairs = known.unwrap_or(UNKNOWN);
+    // A semi join asks how many outer rows have a partner at all.
+    Ok(Ret::F64(j.inner_rows.map_or(pairs, |rows| (pairs * rows).min(1.0))))
+}
+
+sql_functions! {
+    fn ab_typanalyze(args) { Ok(analysed_by::<Boxes>(args)) }
+
+    fn ab_overlap_sel(args) { share_of_rows(args, Relation::Overlaps) }
+    fn ab_contains_sel(args) { share_of_rows(args, Relation::Contains) }
+    fn ab_contained_sel(args) { share_of_rows(args, Relation::Contained) }
+
+    fn ab_overlap_join_sel(args) { share_of_pairs(args, Relation::Overlaps) }
+    fn ab_contains_join_sel(args) { share_of_pairs(args, Relation::Contains) }
+    fn ab_contained_join_sel(args) { share_of_pairs(args, Relation::Contained) }
+}
