@@ -9,7 +9,7 @@ CREATE FUNCTION ab_evidence_model(
 COMMENT ON FUNCTION ab_evidence_model(ab_loa, text, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8) IS 'Parameters of evidence and verdict; what is not given keeps the default of a current terrestrial scanner. model: surface or meyer2022; lengths in metres, angles in radians';
 
 CREATE FUNCTION ab_rollup(e1 ab_evidence, e2 ab_evidence) RETURNS ab_evidence
-    AS 'MODULE_PATHNAME', 'ab_evidence_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000;
+    AS 'MODULE_PATHNAME', 'ab_evidence_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 1000000;
 COMMENT ON FUNCTION ab_rollup(ab_evidence, ab_evidence) IS 'Adds up evidence about the same solid, exactly: as if all patches had been aggregated at once';
 
 CREATE FUNCTION ab_summary(
@@ -18,13 +18,13 @@ CREATE FUNCTION ab_summary(
     OUT verdict text, OUT best_loa ab_loa, OUT samples bigint, OUT coverage float8,
     OUT confirmed float8, OUT refuted float8, OUT open float8, OUT conflict float8,
     OUT deviation float8, OUT deviation_sd float8, OUT shift text) RETURNS record
-    AS 'MODULE_PATHNAME', 'ab_summary' LANGUAGE c STABLE PARALLEL SAFE COST 100000;
+    AS 'MODULE_PATHNAME', 'ab_summary' LANGUAGE c STABLE PARALLEL SAFE COST 5000000;
 COMMENT ON FUNCTION ab_summary(ab_evidence, ab_loa, float8, float8, float8, float8) IS 'Verdict with the numbers that led to it: coverage is seen/all samples; confirmed, refuted and open are shares of the seen ones; deviation is the median of the worst well-seen face along its outward normal, metres; shift is the rigid offset along the directions that the seen faces determine';
 
 CREATE FUNCTION ab_verdict(
     e ab_evidence, loa ab_loa DEFAULT NULL, confidence float8 DEFAULT NULL,
     min_confirmed float8 DEFAULT NULL, min_coverage float8 DEFAULT NULL, max_conflict float8 DEFAULT NULL) RETURNS text
-    AS 'MODULE_PATHNAME', 'ab_verdict' LANGUAGE c STABLE PARALLEL SAFE COST 50000;
+    AS 'MODULE_PATHNAME', 'ab_verdict' LANGUAGE c STABLE PARALLEL SAFE COST 5000000;
 COMMENT ON FUNCTION ab_verdict(ab_evidence, ab_loa, float8, float8, float8, float8) IS 'confirmed, deviating, absent, unobserved or conflicting; at another level of accuracy or confidence than the evidence was made for, if asked';
 
 CREATE FUNCTION ab_shift(
@@ -37,14 +37,14 @@ CREATE FUNCTION ab_samples(
     e ab_evidence, loa ab_loa DEFAULT NULL, confidence float8 DEFAULT NULL,
     OUT "position" float8[], OUT normal float8[], OUT mass ab_mass,
     OUT deviation float8, OUT deviation_sd float8, OUT beams integer) RETURNS SETOF record
-    AS 'MODULE_PATHNAME', 'ab_samples' LANGUAGE c STABLE PARALLEL SAFE COST 100000 ROWS 10000;
+    AS 'MODULE_PATHNAME', 'ab_samples' LANGUAGE c STABLE PARALLEL SAFE COST 5000000 ROWS 10000;
 COMMENT ON FUNCTION ab_samples(ab_evidence, ab_loa, float8) IS 'Every sample with its belief and its signed deviation (+ in front of the face); for heat maps';
 
 CREATE FUNCTION ab_faces(
     e ab_evidence, loa ab_loa DEFAULT NULL, confidence float8 DEFAULT NULL,
     OUT normal float8[], OUT samples bigint, OUT seen bigint, OUT confirmed bigint, OUT refuted bigint,
     OUT open bigint, OUT pierced bigint, OUT deviation float8, OUT deviation_sd float8) RETURNS SETOF record
-    AS 'MODULE_PATHNAME', 'ab_faces' LANGUAGE c STABLE PARALLEL SAFE COST 100000 ROWS 20;
+    AS 'MODULE_PATHNAME', 'ab_faces' LANGUAGE c STABLE PARALLEL SAFE COST 5000000 ROWS 20;
 COMMENT ON FUNCTION ab_faces(ab_evidence, ab_loa, float8) IS 'Every face of the solid with its share in the verdict';
 
 CREATE FUNCTION ab_box(e ab_evidence) RETURNS ab_box
@@ -66,27 +66,27 @@ COMMENT ON FUNCTION ab_model(ab_evidence) IS 'The parameters that the evidence w
 -- Transition and its kin of the aggregates; not for direct use.
 
 CREATE FUNCTION ab_evidence_accum(state internal, solid ab_solid, patch ab_scan, model ab_evidence_model) RETURNS internal
-    AS 'MODULE_PATHNAME', 'ab_evidence_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 20000;
+    AS 'MODULE_PATHNAME', 'ab_evidence_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
 COMMENT ON FUNCTION ab_evidence_accum(internal, ab_solid, ab_scan, ab_evidence_model) IS 'Transition of ab_evidence_agg';
 
 CREATE FUNCTION ab_rollup_accum(state internal, e ab_evidence) RETURNS internal
-    AS 'MODULE_PATHNAME', 'ab_rollup_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000;
+    AS 'MODULE_PATHNAME', 'ab_rollup_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 500000;
 COMMENT ON FUNCTION ab_rollup_accum(internal, ab_evidence) IS 'Transition of ab_rollup_agg';
 
 CREATE FUNCTION ab_evidence_combine(left_state internal, right_state internal) RETURNS internal
-    AS 'MODULE_PATHNAME', 'ab_evidence_combine' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000;
+    AS 'MODULE_PATHNAME', 'ab_evidence_combine' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
 COMMENT ON FUNCTION ab_evidence_combine(internal, internal) IS 'Combine of ab_evidence_agg';
 
 CREATE FUNCTION ab_evidence_serial(state internal) RETURNS bytea
-    AS 'MODULE_PATHNAME', 'ab_evidence_serial' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000;
+    AS 'MODULE_PATHNAME', 'ab_evidence_serial' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000;
 COMMENT ON FUNCTION ab_evidence_serial(internal) IS 'Serialisation of ab_evidence_agg';
 
 CREATE FUNCTION ab_evidence_deserial(bytes bytea, dummy internal) RETURNS internal
-    AS 'MODULE_PATHNAME', 'ab_evidence_deserial' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000;
+    AS 'MODULE_PATHNAME', 'ab_evidence_deserial' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 200000;
 COMMENT ON FUNCTION ab_evidence_deserial(bytea, internal) IS 'Deserialisation of ab_evidence_agg';
 
 CREATE FUNCTION ab_evidence_final(state internal) RETURNS ab_evidence
-    AS 'MODULE_PATHNAME', 'ab_evidence_final' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000;
+    AS 'MODULE_PATHNAME', 'ab_evidence_final' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
 COMMENT ON FUNCTION ab_evidence_final(internal) IS 'Final of ab_evidence_agg';
 
 CREATE AGGREGATE ab_evidence_agg(solid ab_solid, patch ab_scan, model ab_evidence_model) (

@@ -17,7 +17,7 @@ CREATE FUNCTION ab_overlaps(a ab_box, b ab_solid) RETURNS boolean
 COMMENT ON FUNCTION ab_overlaps(ab_box, ab_solid) IS 'Boxes overlap; for a scan the hull of its beams counts';
 
 CREATE FUNCTION ab_overlaps(a ab_box, b ab_scan) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_overlaps_box_scan' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+    AS 'MODULE_PATHNAME', 'ab_overlaps_box_scan' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_overlaps(ab_box, ab_scan) IS 'Boxes overlap; for a scan the hull of its beams counts';
 
 CREATE FUNCTION ab_overlaps(a ab_solid, b ab_box) RETURNS boolean
@@ -29,19 +29,19 @@ CREATE FUNCTION ab_overlaps(a ab_solid, b ab_solid) RETURNS boolean
 COMMENT ON FUNCTION ab_overlaps(ab_solid, ab_solid) IS 'Boxes overlap; for a scan the hull of its beams counts';
 
 CREATE FUNCTION ab_overlaps(a ab_solid, b ab_scan) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_overlaps_solid_scan' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+    AS 'MODULE_PATHNAME', 'ab_overlaps_solid_scan' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_overlaps(ab_solid, ab_scan) IS 'Boxes overlap; for a scan the hull of its beams counts';
 
 CREATE FUNCTION ab_overlaps(a ab_scan, b ab_box) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_overlaps_scan_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+    AS 'MODULE_PATHNAME', 'ab_overlaps_scan_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_overlaps(ab_scan, ab_box) IS 'Boxes overlap; for a scan the hull of its beams counts';
 
 CREATE FUNCTION ab_overlaps(a ab_scan, b ab_solid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_overlaps_scan_solid' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+    AS 'MODULE_PATHNAME', 'ab_overlaps_scan_solid' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_overlaps(ab_scan, ab_solid) IS 'Boxes overlap; for a scan the hull of its beams counts';
 
 CREATE FUNCTION ab_overlaps(a ab_scan, b ab_scan) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_overlaps_scan_scan' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+    AS 'MODULE_PATHNAME', 'ab_overlaps_scan_scan' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_overlaps(ab_scan, ab_scan) IS 'Boxes overlap; for a scan the hull of its beams counts';
 
 CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&,

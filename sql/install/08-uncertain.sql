@@ -157,11 +157,11 @@ CREATE FUNCTION ab_ellipsoid(point ab_point, probability float8 DEFAULT 0.95, OU
 COMMENT ON FUNCTION ab_ellipsoid(ab_point, float8) IS 'The ellipsoid that holds the true point with this probability: half-axes by falling length, metres, with their directions';
 
 CREATE FUNCTION ab_box(point ab_point, probability float8 DEFAULT 0.95) RETURNS ab_box
-    AS 'MODULE_PATHNAME', 'ab_point_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_point_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 300;
 COMMENT ON FUNCTION ab_box(ab_point, float8) IS 'The box around the ellipsoid that holds the true point with this probability';
 
 CREATE FUNCTION ab_box(line ab_line, probability float8 DEFAULT 0.95) RETURNS ab_box
-    AS 'MODULE_PATHNAME', 'ab_line_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_line_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 300;
 COMMENT ON FUNCTION ab_box(ab_line, float8) IS 'The box around the confidence ellipsoids of both ends';
 
 CREATE FUNCTION ab_mahalanobis(a ab_point, b ab_point) RETURNS float8

@@ -57,19 +57,19 @@ CREATE OPERATOR <-> (LEFTARG = ab_solid, RIGHTARG = ab_box, FUNCTION = ab_box_di
 COMMENT ON OPERATOR <-> (ab_solid, ab_box) IS 'Least distance of the box of a solid from a box, metres; for nearest first';
 
 CREATE FUNCTION ab_contains(a ab_scan, b ab_box) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_scan_contains' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+    AS 'MODULE_PATHNAME', 'ab_scan_contains' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_contains(ab_scan, ab_box) IS 'Does the hull of a patch hold a box';
 
 CREATE FUNCTION ab_contained(a ab_scan, b ab_box) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_scan_contained' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+    AS 'MODULE_PATHNAME', 'ab_scan_contained' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_contained(ab_scan, ab_box) IS 'Does the hull of a patch lie in a box';
 
 CREATE FUNCTION ab_same(a ab_scan, b ab_box) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_scan_same' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+    AS 'MODULE_PATHNAME', 'ab_scan_same' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_same(ab_scan, ab_box) IS 'Is the hull of a patch that box';
 
 CREATE FUNCTION ab_box_distance(a ab_scan, b ab_box) RETURNS float8
-    AS 'MODULE_PATHNAME', 'ab_scan_distance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+    AS 'MODULE_PATHNAME', 'ab_scan_distance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_box_distance(ab_scan, ab_box) IS 'Least distance of the box of a patch''s returns from a box, metres; infinite without returns';
 
 CREATE FUNCTION ab_contains(a ab_box, b ab_scan) RETURNS boolean
@@ -145,7 +145,7 @@ CREATE OPERATOR <-> (LEFTARG = ab_solid, RIGHTARG = ab_point, FUNCTION = ab_box_
 COMMENT ON OPERATOR <-> (ab_solid, ab_point) IS 'Least distance of the box of a solid from a point, metres; for nearest first';
 
 CREATE FUNCTION ab_box_distance(a ab_scan, b ab_point) RETURNS float8
-    AS 'MODULE_PATHNAME', 'ab_scan_distance_point' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 5;
+    AS 'MODULE_PATHNAME', 'ab_scan_distance_point' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_box_distance(ab_scan, ab_point) IS 'Least distance of the box of a patch''s returns from a point, metres; infinite without returns';
 CREATE OPERATOR <-> (LEFTARG = ab_scan, RIGHTARG = ab_point, FUNCTION = ab_box_distance);
 COMMENT ON OPERATOR <-> (ab_scan, ab_point) IS 'Least distance of the box of a patch''s returns from a point, metres; infinite without returns; for nearest first';
