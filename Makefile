@@ -13,7 +13,7 @@ MODEL ?=
 SCANS ?=
 LOA ?=
 
-.PHONY: demo demo-stop test installcheck install bench lint docs setup clean
+.PHONY: demo demo-stop test installcheck install bench lint docs setup setup-test clean
 
 demo: setup
 	@scripts/demo.sh "$(MODEL)" "$(SCANS)" "$(LOA)"
@@ -21,7 +21,7 @@ demo: setup
 demo-stop:
 	@scripts/cluster.sh drop $${TMPDIR:-/tmp}/asbuilt-demo-$$(id -u)
 
-test: setup
+test: setup-test
 	scripts/test.sh
 
 # Tests against an installed extension and a built program alone.
@@ -32,7 +32,7 @@ install: setup
 	scripts/install.sh
 	$$([ -w "$(BINDIR)" ] || echo sudo) install -m 755 target/release/asbuilt "$(BINDIR)/asbuilt"
 
-bench: setup
+bench: setup-test
 	scripts/bench.sh
 
 lint:
@@ -46,6 +46,10 @@ docs: setup
 
 setup:
 	@scripts/setup.sh
+
+# The same with what tests and benches compare against.
+setup-test:
+	@scripts/setup.sh test
 
 clean:
 	cargo clean

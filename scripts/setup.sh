@@ -2,7 +2,8 @@
 # Install what a bare Debian 12 machine lacks to build and test asbuilt: Debian packages, cargo-pgrx,
 # and pgrx's knowledge of PostgreSQL. Every step looks first and does nothing when it is already done.
 #
-#   PG_VERSION   PostgreSQL major version, default 15 (Debian 12's own)
+#   setup.sh [test]   with `test`, also PostGIS and pgPointcloud, which the bridges and benches are tested with
+#   PG_VERSION        PostgreSQL major version, default 15 (Debian 12's own)
 set -euo pipefail
 
 PGRX_VERSION=0.18.1
@@ -22,6 +23,10 @@ packages=(build-essential pkg-config clang libclang-dev libssl-dev bison flex pe
 # One's own build of PostgreSQL brings its headers; Debian's does when asked.
 if [ ! -e "$("$PG_CONFIG" --includedir-server 2>/dev/null)/postgres.h" ]; then
   packages+=("postgresql-$PG_VERSION" "postgresql-server-dev-$PG_VERSION" postgresql-common)
+fi
+# Into one's own build of PostgreSQL one installs them oneself; without them the bridges' tests are skipped, loudly.
+if [ "${1:-}" = test ] && [[ $PG_CONFIG == /usr/lib/postgresql/* ]]; then
+  packages+=("postgresql-$PG_VERSION-postgis-3" "postgresql-$PG_VERSION-pointcloud")
 fi
 missing=()
 for package in "${packages[@]}"; do

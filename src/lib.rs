@@ -32,4 +32,5 @@ pgrx::extension_sql_file!("../sql/install/09-relations.sql", name = "relations",
 pgrx::extension_sql_file!("../sql/install/10-belief-calculus.sql", name = "calculus", requires = ["relations"]);
 pgrx::extension_sql_file!("../sql/install/11-uncertain-index.sql", name = "uncertain_index", requires = ["calculus"]);
 pgrx::extension_sql_file!("../sql/install/12-patches.sql", name = "patches", requires = ["uncertain_index"]);
-pgrx::extension_sql_file!("../sql/install/13-nearness.sql", name = "nearness", requires = ["patches"], finalize);
+pgrx::extension_sql_file!("../sql/install/13-nearness.sql", name = "nearness", requires = ["patches"]);
+pgrx::extension_sql_file!("../sql/install/14-exchange.sql", name = "exchange", requires = ["nearness"], finalize);

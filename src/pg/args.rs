@@ -69,6 +69,11 @@ impl Args {
         self.datum(i).value() as i64
     }
 
+    /// A `boolean`.
+    pub fn bool(&self, i: usize) -> bool {
+        self.datum(i).value() & 0xff != 0
+    }
+
     /// An `integer`.
     pub fn i32(&self, i: usize) -> i32 {
         self.datum(i).value() as i32

@@ -1,6 +1,6 @@
 //! `ab_solid`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
-use asbuilt_core::geometry::{Closedness, Solid, SolidHeader, Vec3};
+use asbuilt_core::geometry::{Closedness, Solid, SolidHeader, SurfaceKind, Vec3};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
@@ -81,5 +81,15 @@ sql_functions! {
         let s = Solid::from_stored(args.bytes(0), &interrupt)?;
         let flat = s.triangles().iter().flatten().map(|&i| i as i32).collect();
         Ok(Ret::I32Array(flat, vec![s.triangles().len() as i32, 3]))
+    }
+
+    fn ab_solid_from_ewkb(args) {
+        Ok(Ret::Bytes(Solid::from_ewkb(args.bytes(0), &interrupt)?.to_bytes(&interrupt)?))
+    }
+
+    /// ab_as_ewkb(solid, tin)
+    fn ab_solid_as_ewkb(args) {
+        let kind = if args.bool(1) { SurfaceKind::Tin } else { SurfaceKind::Polyhedral };
+        Ok(Ret::Bytes(Solid::from_stored(args.bytes(0), &interrupt)?.to_ewkb(kind, &interrupt)?))
     }
 }
