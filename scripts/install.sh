@@ -14,9 +14,9 @@ if ! cargo pgrx install --release $sudo --pg-config "$PG_CONFIG" --no-default-fe
   cat $log >&2
   exit 1
 fi
-# The bridges are SQL alone.
+# The bridges are SQL alone; so are the scripts of earlier releases, which cargo pgrx leaves behind.
 extensions=$("$PG_CONFIG" --sharedir)/extension
-${sudo:+sudo} install -m 644 postgis/asbuilt_postgis* pointcloud/asbuilt_pointcloud* "$extensions"
+${sudo:+sudo} install -m 644 postgis/asbuilt_postgis* pointcloud/asbuilt_pointcloud* sql/asbuilt--*.sql "$extensions"
 echo "install: building the program asbuilt"
 cargo build --release --quiet -p asbuilt-cli
 echo "install: done; in psql: CREATE EXTENSION asbuilt; the program is target/release/asbuilt"

@@ -69,7 +69,7 @@ CREATE FUNCTION ab_same(a ab_scan, b ab_box) RETURNS boolean
 COMMENT ON FUNCTION ab_same(ab_scan, ab_box) IS 'Is the hull of a patch that box';
 
 CREATE FUNCTION ab_box_distance(a ab_scan, b ab_box) RETURNS float8
-    AS 'MODULE_PATHNAME', 'ab_scan_distance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
+    AS 'MODULE_PATHNAME', 'ab_scan_distance_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION ab_box_distance(ab_scan, ab_box) IS 'Least distance of the box of a patch''s returns from a box, metres; infinite without returns';
 
 CREATE FUNCTION ab_contains(a ab_box, b ab_scan) RETURNS boolean

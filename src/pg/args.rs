@@ -52,6 +52,11 @@ impl Args {
         self.slot(i).isnull
     }
 
+    /// Whether argument `i` is there and not NULL.
+    pub fn has(&self, i: usize) -> bool {
+        i < self.len() && !self.is_null(i)
+    }
+
     /// The value; a NULL that reaches this far is a bug, and a panic is better than its address.
     pub(super) fn datum(&self, i: usize) -> pg_sys::Datum {
         let slot = self.slot(i);

@@ -174,6 +174,11 @@ impl Rows {
         }
     }
 
+    /// Number of columns that the call expects.
+    pub fn width(&self) -> usize {
+        unsafe { (*self.desc).natts as usize }
+    }
+
     /// Adds a row.
     pub fn push(&mut self, fields: &[Field]) {
         unsafe {

@@ -39,14 +39,16 @@ sql_functions! {
         for (i, b) in content.beams.iter().enumerate() {
             let range = b.offset.norm();
             let when = |there: bool, field: Field| if there { field } else { Field::Null };
-            rows.push(&[
+            let row = [
                 when(has_rays, Field::Vector((header.origin + content.start(i)).into())),
                 when(b.returned, Field::Vector((header.origin + content.end(i)).into())),
                 when(has_rays && range > 0.0, Field::Vector((b.offset / range).into())),
                 when(has_rays && b.returned, Field::F64(range)),
                 Field::or_null(content.intensity.as_ref(), |p| Field::I32(p[i].into())),
                 Field::or_null(content.colour.as_ref(), |p| Field::I32Array(p[i].map(i32::from).to_vec())),
-            ]);
+            ];
+            // The SQL of 0.1.0 has no columns for the planes.
+            rows.push(&row[..rows.width().min(row.len())]);
         }
         Ok(Ret::Null)
     }

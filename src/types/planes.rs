@@ -4,9 +4,9 @@ use asbuilt_core::{Error, Result};
 
 use crate::pg::Args;
 
-/// Intensities of argument `i`, an `integer[]`; NULL for none.
+/// Intensities of argument `i`, an `integer[]`; NULL, or no such argument (the SQL of 0.1.0), for none.
 pub fn intensity(args: &Args, i: usize) -> Result<Option<Vec<u16>>> {
-    if args.is_null(i) {
+    if !args.has(i) {
         return Ok(None);
     }
     args.i32_list(i, "the intensities")?.into_iter().map(one_intensity).collect::<Result<_>>().map(Some)
@@ -14,7 +14,7 @@ pub fn intensity(args: &Args, i: usize) -> Result<Option<Vec<u16>>> {
 
 /// Colours of argument `i`, an `integer[]` of n x 3; NULL for none.
 pub fn colour(args: &Args, i: usize) -> Result<Option<Vec<[u8; 3]>>> {
-    if args.is_null(i) {
+    if !args.has(i) {
         return Ok(None);
     }
     args.i32_triples(i, "the colours")?.into_iter().map(one_colour).collect::<Result<_>>().map(Some)

@@ -35,7 +35,7 @@ fn from_arrays(args: &Args) -> Result<Patch> {
     if origins == Origins::Each {
         content.starts = Some(starts.iter().map(|s| s - origin).collect());
     }
-    if !args.is_null(7) {
+    if args.has(7) {
         let directions = args.f64_triples(7, "the directions without return")?;
         if origins == Origins::Each {
             return Err(Error::argument("beams without return", "of one origin", "of several"));
