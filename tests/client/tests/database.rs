@@ -146,3 +146,74 @@ fn dump_and_restore_lose_nothing() {
     assert_eq!(client.query_one(digest, &[]).unwrap().get::<_, String>(0), before);
     assert!(plan(&mut client, EVIDENCE).contains("patch && "));
 }
+
+/// A value of every type, patches of every kind among them.
+const VALUES: &str = "
+CREATE TABLE value AS SELECT i AS id, ab_box(i, 0, -i, 600000.123456789, 5300000, i) AS b, ab_mass(0.1 * i, 0.3) AS m,
+    ab_point(600000.1, 5300000.2, i, 0.01 * i) AS p, ab_line(ab_point(0, 0, i, 0.01), ab_point(1, 1, 1 / 3.0, 0.02)) AS l,
+    ab_plane(ARRAY[5, 5, i], ARRAY[0.6, 0, 0.8], 0.002, 0.0001) AS pl, ab_pose(ARRAY[10, -5, i]) AS q,
+    ab_evidence_model(loa => 'LOA20', spacing => 0.01 * i) AS em, ab_solid(ab_box(0, 0, 0, i, i, i)) AS s, 'LOA30'::ab_loa AS loa,
+    CASE i WHEN 1 THEN ab_scan(ARRAY[6e5, 5.3e6, 0], (SELECT array_agg(ARRAY[6e5 + 5, 5.3e6 + 0.01 * k, 0.3]) FROM generate_series(1, 3000) k), intensity => (SELECT array_agg(k * 7 % 65536) FROM generate_series(1, 3000) k), no_return => ARRAY[[1, 0.1, 0]])
+        WHEN 2 THEN ab_scan(ARRAY[[0, 0, 0], [0.1, 0, 0]], ARRAY[[5, 5, 5], [-5, 5, 5]])
+        ELSE ab_cloud(ARRAY[[1, 2, 3], [6, 6, 6]], colour => ARRAY[[1, 2, 3], [255, 0, 9]]) END AS c
+FROM generate_series(1, 3) i;
+ALTER TABLE value ADD PRIMARY KEY (id);
+CREATE INDEX value_c ON value USING gist (c); CREATE INDEX ON value USING gist (b); CREATE INDEX ON value USING gist (p); CREATE INDEX ON value USING gist (l); CREATE INDEX ON value USING gist (s);
+CREATE INDEX ON value (p); CREATE INDEX ON value USING hash (m);";
+
+const VALUES_DIGEST: &str =
+    "SELECT md5(string_agg(value::text, ';' ORDER BY id)) || bool_and(ab_count(c) > 0) FROM value";
+
+fn digest(client: &mut Client) -> String {
+    client.query_one(VALUES_DIGEST, &[]).unwrap().get(0)
+}
+
+#[test]
+fn values_survive_vacuum_full_binary_copy_dump_and_another_schema() {
+    let (db, mut client) = Database::with_extension("values");
+    client.batch_execute(VALUES).unwrap();
+    let before = digest(&mut client);
+    for rewrite in
+        ["UPDATE value SET id = id", "VACUUM FULL value", "CLUSTER value USING value_pkey", "REINDEX TABLE value"]
+    {
+        client.batch_execute(rewrite).unwrap();
+    }
+    assert_eq!(digest(&mut client), before);
+    // Binary COPY, out and in again.
+    let mut bytes = Vec::new();
+    std::io::Read::read_to_end(&mut client.copy_out("COPY value TO STDOUT (FORMAT binary)").unwrap(), &mut bytes)
+        .unwrap();
+    client.batch_execute("TRUNCATE value").unwrap();
+    let mut sink = client.copy_in("COPY value FROM STDIN (FORMAT binary)").unwrap();
+    std::io::Write::write_all(&mut sink, &bytes).unwrap();
+    sink.finish().unwrap();
+    assert_eq!(digest(&mut client), before);
+    // Dumped in the custom format and restored with the extension in a schema that is on nobody's path.
+    client.batch_execute("CREATE SCHEMA elsewhere; ALTER EXTENSION asbuilt SET SCHEMA elsewhere").unwrap();
+    let file = asbuilt_client_tests::scratch("values.dump");
+    let dump = db.tool("pg_dump", &["-Fc", "-f", file.to_str().unwrap()]);
+    assert!(dump.status.success(), "{}", String::from_utf8_lossy(&dump.stderr));
+    let back = Database::new("values_restored");
+    let restored = back.tool("pg_restore", &["-e", "-d", back.name(), file.to_str().unwrap()]);
+    assert!(restored.status.success(), "{}", String::from_utf8_lossy(&restored.stderr));
+    let mut client = back.connect();
+    client.batch_execute("SET search_path = public, elsewhere").unwrap();
+    assert_eq!(digest(&mut client), before);
+    client.batch_execute("SET enable_seqscan = off").unwrap();
+    assert!(plan(&mut client, "SELECT FROM value WHERE c && ab_box(0, 0, 0, 9, 9, 9)").contains("value_c"));
+}
+
+/// What a functional index or a replica needs: the same value wherever and whenever it is computed.
+#[test]
+fn immutable_functions_do_not_follow_settings() {
+    let (_db, mut client) = Database::with_extension("settings");
+    client.batch_execute(VALUES).unwrap();
+    let before = digest(&mut client);
+    client
+        .batch_execute(
+            "SET extra_float_digits = -10; SET lc_numeric = 'C'; SET DateStyle = 'German'; SET bytea_output = 'escape'; SET TimeZone = 'Asia/Tokyo';
+            SET search_path = pg_catalog, public; SET standard_conforming_strings = off; SET client_encoding = 'LATIN1'",
+        )
+        .unwrap();
+    assert_eq!(digest(&mut client), before);
+}
