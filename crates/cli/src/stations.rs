@@ -18,16 +18,17 @@ pub struct Packed {
 
 /// Drops what lies nearer than `min_range` (the scanner's own platform), cuts the rest into tiles and packs them
 /// in parallel; calls `sink` with each patch's bytes in a fixed order.
-pub fn pack(scan: &RawScan, station: i64, min_range: f64, mut sink: impl FnMut(&[u8]) -> Result<()>) -> Result<Packed> {
-    let keep = |b: &&Beam| !b.returned || scan.world_from_scan.is_none() || b.offset.norm() >= min_range;
-    let beams: Vec<Beam> = scan.beams.iter().filter(keep).copied().collect();
-    let mut packed =
-        Packed { beams: 0, no_returns: 0, too_near: (scan.beams.len() - beams.len()) as u64, points: Aabb::EMPTY };
-    let tiles = if scan.world_from_scan.is_some() {
-        tiles(&beams)
-    } else {
-        clusters(&beams.iter().map(|b| b.offset).collect::<Vec<_>>())
-    };
+pub fn pack(
+    scan: &mut RawScan,
+    station: i64,
+    min_range: f64,
+    mut sink: impl FnMut(&[u8]) -> Result<()>,
+) -> Result<Packed> {
+    let (all, has_origin) = (scan.beams.len(), scan.world_from_scan.is_some());
+    scan.beams.retain(|b| !b.returned || !has_origin || b.offset.norm() >= min_range);
+    let (scan, beams) = (&*scan, &scan.beams);
+    let mut packed = Packed { beams: 0, no_returns: 0, too_near: (all - beams.len()) as u64, points: Aabb::EMPTY };
+    let tiles = if has_origin { tiles(beams) } else { clusters(&beams.iter().map(|b| b.offset).collect::<Vec<_>>()) };
     // In batches, so that the packed patches of a large scan are not all in memory at once.
     for batch in tiles.chunks(256) {
         let patches = batch

@@ -236,12 +236,12 @@ fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
     let bar = progress(&format!("reading {source}"), "points");
     let mut total = Total::default();
     let options = ReadOptions { origin: args.origin };
-    read::read_scans(file, &options, &bar, &mut |scan| {
+    read::read_scans(file, &options, &bar, &mut |mut scan| {
         if scan.beams.is_empty() {
             say!("  {}: empty, passed over", scan.name);
             return Ok(());
         }
-        let packed = store(args, &source, &scan, tx)?;
+        let packed = store(args, &source, &mut scan, tx)?;
         if packed.beams == packed.no_returns {
             say!("  warning: {}: no return of it is left", scan.name);
         }
@@ -317,7 +317,7 @@ impl Total {
     }
 }
 
-fn store(args: &LoadArgs, source: &str, scan: &RawScan, tx: &mut Transaction) -> Result<Packed> {
+fn store(args: &LoadArgs, source: &str, scan: &mut RawScan, tx: &mut Transaction) -> Result<Packed> {
     let translation = scan.world_from_scan.map(|_| scan.anchor.as_slice().to_vec());
     let rotation = scan.world_from_scan.map(|q| q.to_vec());
     let insert = "INSERT INTO station (epoch, name, pose, sensor, source)

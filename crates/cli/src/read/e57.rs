@@ -96,6 +96,9 @@ fn read_cloud(
     Ok(scan)
 }
 
+/// Points that room is made for at once: the header may promise more than there are.
+const MAX_RESERVED: u64 = 1 << 24;
+
 /// Beams, cells of the grid, and how many points were not finite.
 type Collected = (Vec<Beam>, Vec<Cell>, u64);
 
@@ -105,8 +108,10 @@ fn collect(
     bar: &ProgressBar,
     rotation: &UnitQuaternion<f64>,
 ) -> Result<Collected> {
-    let (mut beams, mut cells, mut unusable) = (Vec::new(), Vec::new(), 0);
     let grid = cloud.has_row_column();
+    let room = cloud.records.min(MAX_RESERVED) as usize;
+    let (mut beams, mut cells) = (Vec::with_capacity(room), Vec::with_capacity(if grid { room } else { 0 }));
+    let mut unusable = 0;
     let mut reader = file.pointcloud_simple(cloud).context("its points cannot be read")?;
     reader.apply_pose(false);
     reader.intensity_to_color(false);

@@ -103,11 +103,12 @@ fn decode(header: &Header, payload: &[u8], all_planes: bool) -> Result<Content> 
     let bitmap = if header.flags & Header::FLAG_NO_RETURNS != 0 { Some(r.take(n.div_ceil(8))?) } else { None };
     let returned = |i: usize| bitmap.is_none_or(|b| b[i / 8] >> (i % 8) & 1 == 1);
     let lead = r.u8()?;
-    let offsets = vectors(&mut r, n, lead, header.quantum)?;
-    let beams = offsets.enumerate().map(|(i, offset)| Beam { offset, returned: returned(i) }).collect();
-    let mut content = Content::of(beams);
+    let offsets = columns(&mut r, n, lead)?;
+    let beam = |i: usize| Beam { offset: metres(&offsets, i, header.quantum), returned: returned(i) };
+    let mut content = Content::of((0..n).map(beam).collect());
     if header.origins() == Origins::Each {
-        content.starts = Some(vectors(&mut r, n, NO_LEAD, header.quantum)?.collect());
+        let starts = columns(&mut r, n, NO_LEAD)?;
+        content.starts = Some((0..n).map(|i| metres(&starts, i, header.quantum)).collect());
     }
     if all_planes || header.flags & (Header::FLAG_INTENSITY | Header::FLAG_COLOUR) == 0 {
         planes::unpack(&mut r, header.flags, &mut content)?;
@@ -116,8 +117,8 @@ fn decode(header: &Header, payload: &[u8], all_planes: bool) -> Result<Content> 
     Ok(content)
 }
 
-/// The next three columns, of which `lead` comes first, in metres.
-fn vectors(r: &mut Reader, n: usize, lead: u8, quantum: f64) -> Result<impl Iterator<Item = Vec3> + use<>> {
+/// The next three columns, of which `lead` comes first, by axis.
+fn columns(r: &mut Reader, n: usize, lead: u8) -> Result<[Vec<i32>; 3]> {
     if lead > NO_LEAD {
         return Err(r.bad(format!("axis {lead} leads")));
     }
@@ -129,7 +130,11 @@ fn vectors(r: &mut Reader, n: usize, lead: u8, quantum: f64) -> Result<impl Iter
     if let Some(leading) = leading {
         columns[usize::from(lead)] = leading;
     }
-    Ok((0..n).map(move |i| Vec3::from_fn(|axis, _| f64::from(columns[axis][i]) * quantum)))
+    Ok(columns)
+}
+
+fn metres(quanta: &[Vec<i32>; 3], i: usize, quantum: f64) -> Vec3 {
+    Vec3::from_fn(|axis, _| f64::from(quanta[axis][i]) * quantum)
 }
 
 #[cfg(test)]

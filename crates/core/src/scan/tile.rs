@@ -1,7 +1,5 @@
 //! Cutting a scan into angular tiles.
 
-use std::collections::HashSet;
-
 use super::{Beam, Cone};
 use crate::geometry::Vec3;
 
@@ -44,11 +42,13 @@ pub fn mean_step(beams: &[Beam]) -> f64 {
     };
     let sides = [side(0), side(1)];
     let cells = ((image.len() as f64 / 4.0).sqrt().floor()).max(1.0);
-    let occupied: HashSet<[u64; 2]> = image
-        .iter()
-        .map(|p| [0, 1].map(|k| ((p[k] - sides[k].0) / sides[k].1 * cells).min(cells - 0.5) as u64))
-        .collect();
-    let area = sides[0].1 * sides[1].1 * occupied.len() as f64 / (cells * cells);
+    let mut occupied = vec![false; (cells * cells) as usize];
+    for p in &image {
+        let [c, r] = [0, 1].map(|k| ((p[k] - sides[k].0) / sides[k].1 * cells).min(cells - 0.5) as usize);
+        occupied[r * cells as usize + c] = true;
+    }
+    let covered = occupied.iter().filter(|&&o| o).count();
+    let area = sides[0].1 * sides[1].1 * covered as f64 / (cells * cells);
     (area / image.len().max(1) as f64).sqrt().max(1e-6)
 }
 
