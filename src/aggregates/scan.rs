@@ -11,27 +11,33 @@ fn state(args: &Args, i: usize) -> Result<AggState<Gathered>> {
     aggregate_state(args, i, || Ok(Gathered::default()))
 }
 
-/// The row (x, y, z [, origin [, station [, intensity [, colour]]]]) behind the state, and its station.
-fn row(args: &Args) -> Result<(i64, Return)> {
+/// The row (x, y, z, [origin,] [station [, intensity [, colour]]]) behind the state, and its station.
+fn row(args: &Args, with_origin: bool) -> Result<(i64, Return)> {
     let has = |i: usize| args.len() > i;
-    let origin = has(4).then(|| args.vector::<3>(4, "the origin")).transpose()?;
-    let intensity = has(6).then(|| one_intensity(args.i32(6))).transpose()?;
-    let colour = has(7).then(|| args.i32_vector::<3>(7, "the colour").and_then(one_colour)).transpose()?;
+    let next = if with_origin { 5 } else { 4 };
+    let origin = (with_origin && has(4)).then(|| args.vector::<3>(4, "the origin")).transpose()?;
+    let station = if has(next) { args.i64(next) } else { 0 };
+    let intensity = has(next + 1).then(|| one_intensity(args.i32(next + 1))).transpose()?;
+    let colour =
+        has(next + 2).then(|| args.i32_vector::<3>(next + 2, "the colour").and_then(one_colour)).transpose()?;
     let point = Vec3::new(args.f64(1), args.f64(2), args.f64(3));
-    let station = if has(5) { args.i64(5) } else { 0 };
     Ok((station, Return { point, origin: origin.map(Vec3::from), intensity, colour }))
 }
 
-sql_functions! {
-    /// transition: a row with a NULL adds nothing.
-    fn ab_scan_accum(args) {
-        let mut state = state(args, 0)?;
-        if !(1..args.len()).any(|i| args.is_null(i)) {
-            let (station, row) = row(args)?;
-            state.get().push(station, &row)?;
-        }
-        Ok(state.ret())
+/// A row with a NULL adds nothing.
+fn accumulate(args: &Args, with_origin: bool) -> Result<Ret> {
+    let mut state = state(args, 0)?;
+    if !(1..args.len()).any(|i| args.is_null(i)) {
+        let (station, row) = row(args, with_origin)?;
+        state.get().push(station, &row)?;
     }
+    Ok(state.ret())
+}
+
+sql_functions! {
+    fn ab_scan_accum(args) { accumulate(args, true) }
+
+    fn ab_cloud_accum(args) { accumulate(args, false) }
 
     fn ab_scan_combine(args) {
         let mut left = state(args, 0)?;

@@ -1,9 +1,9 @@
-//! ANALYZE: statistics of our own about a column.
+//! ANALYZE: statistics of our own about a column, beside PostgreSQL's.
 
 use pgrx::pg_sys;
 use pgrx::pg_sys::submodules::panic::pgrx_extern_c_guard;
 
-use super::{Args, Ret, interrupt, type_name};
+use super::{Args, Ret, own_type_name};
 
 /// Kind of our statistics in `pg_statistic`; numbers from 10000 on are for private use.
 pub const BOX_STATISTICS: i16 = 11_820;
@@ -14,15 +14,27 @@ pub trait Statistics {
     fn of(type_name: &str, sample: &mut dyn Iterator<Item = Args>) -> Option<Vec<f64>>;
 }
 
-/// typanalyze(internal): has the column in argument 0 analysed by `S`; how many rows are sampled follows its statistics
-/// target.
+/// What stands in the column's `extra_data` until it is analysed.
+struct Plan {
+    type_name: String,
+    standard: pg_sys::AnalyzeAttrComputeStatsFunc,
+    standard_data: *mut std::ffi::c_void,
+}
+
+/// typanalyze(internal): has the column in argument 0 analysed as usual, and then by `S`; how many rows are sampled
+/// follows its statistics target.
 pub fn analysed_by<S: Statistics>(args: &Args) -> Ret {
     unsafe {
         let column: *mut pg_sys::VacAttrStats = args.datum(0).cast_mut_ptr();
         if !pg_sys::std_typanalyze(column) {
             return Ret::Bool(false);
         }
-        (*column).compute_stats = Some(compute::<S>);
+        if let Some(type_name) = own_type_name(args, (*column).attrtypid) {
+            let plan = Plan { type_name, standard: (*column).compute_stats, standard_data: (*column).extra_data };
+            let context = pgrx::PgMemoryContexts::For((*column).anl_context);
+            (*column).extra_data = { context }.leak_and_drop_on_delete(plan).cast();
+            (*column).compute_stats = Some(compute::<S>);
+        }
         Ret::Bool(true)
     }
 }
@@ -31,62 +43,58 @@ unsafe extern "C-unwind" fn compute<S: Statistics>(
     column: *mut pg_sys::VacAttrStats,
     fetch: pg_sys::AnalyzeAttrFetchFunc,
     rows: std::ffi::c_int,
-    _total: f64,
+    total: f64,
 ) {
     unsafe {
         pgrx_extern_c_guard(move || {
-            let Some(fetch) = fetch else { return };
-            let (mut nulls, mut width) = (0, 0);
+            let plan = &*(*column).extra_data.cast::<Plan>();
+            (*column).extra_data = plan.standard_data;
+            if let Some(standard) = plan.standard {
+                standard(column, fetch, rows, total);
+            }
+            let (Some(fetch), true) = (fetch, (*column).stats_valid) else { return };
+            // What a value needs is given back before the next.
+            let before = pg_sys::CurrentMemoryContext;
+            let scratch = pg_sys::AllocSetContextCreateInternal(
+                before,
+                c"asbuilt analyze".as_ptr(),
+                0,
+                pg_sys::ALLOCSET_DEFAULT_INITSIZE as usize,
+                pg_sys::ALLOCSET_DEFAULT_MAXSIZE as usize,
+            );
+            pg_sys::MemoryContextSwitchTo(scratch);
             let mut sample = (0..rows).filter_map(|row| {
-                interrupt();
+                pg_sys::vacuum_delay_point();
+                pg_sys::MemoryContextReset(scratch);
                 let mut null = false;
                 let value = fetch(column, row, &mut null);
-                if null {
-                    nulls += 1;
-                    return None;
-                }
-                width += stored_width(column, value);
-                Some(Args::of_value(value))
+                (!null).then(|| Args::of_value(value))
             });
-            let numbers = S::of(&type_name((*column).attrtypid), &mut sample);
-            sample.for_each(drop);
-            if rows > 0 {
-                keep(column, rows, nulls, width, numbers);
+            let numbers = S::of(&plan.type_name, &mut sample);
+            pg_sys::MemoryContextSwitchTo(before);
+            pg_sys::MemoryContextDelete(scratch);
+            if let Some(numbers) = numbers {
+                keep(column, &numbers);
             }
         });
     }
 }
 
-unsafe fn stored_width(column: *mut pg_sys::VacAttrStats, value: pg_sys::Datum) -> usize {
-    unsafe {
-        match (*(*column).attrtype).typlen {
-            -1 => pgrx::varlena::varsize_any(value.cast_mut_ptr()),
-            len => len as usize,
-        }
-    }
-}
-
-/// Fills in what every column has, and the numbers as the first slot.
-unsafe fn keep(column: *mut pg_sys::VacAttrStats, rows: i32, nulls: i32, width: usize, numbers: Option<Vec<f64>>) {
+/// Puts the numbers into the first slot that is free.
+unsafe fn keep(column: *mut pg_sys::VacAttrStats, numbers: &[f64]) {
     unsafe {
         let c = &mut *column;
-        c.stats_valid = true;
-        c.stanullfrac = nulls as f32 / rows as f32;
-        c.stawidth = (width / (rows - nulls).max(1) as usize) as i32;
-        // Nearly all values differ.
-        c.stadistinct = -(1.0 - c.stanullfrac);
-        let Some(numbers) = numbers else { return };
-        let bytes = numbers.len() * size_of::<pg_sys::Datum>();
-        let values: *mut pg_sys::Datum = pg_sys::MemoryContextAlloc(c.anl_context, bytes).cast();
+        let Some(slot) = c.stakind.iter().position(|&kind| kind == 0) else { return };
+        let values: *mut pg_sys::Datum = pg_sys::MemoryContextAlloc(c.anl_context, size_of_val(numbers)).cast();
         for (i, x) in numbers.iter().enumerate() {
             values.add(i).write(pg_sys::Datum::from(x.to_bits() as usize));
         }
-        c.stakind[0] = BOX_STATISTICS;
-        c.stavalues[0] = values;
-        c.numvalues[0] = numbers.len() as i32;
-        c.statypid[0] = pg_sys::FLOAT8OID;
-        c.statyplen[0] = size_of::<f64>() as i16;
-        c.statypbyval[0] = true;
-        c.statypalign[0] = b'd' as std::ffi::c_char;
+        c.stakind[slot] = BOX_STATISTICS;
+        c.stavalues[slot] = values;
+        c.numvalues[slot] = numbers.len() as i32;
+        c.statypid[slot] = pg_sys::FLOAT8OID;
+        c.statyplen[slot] = size_of::<f64>() as i16;
+        c.statypbyval[slot] = true;
+        c.statypalign[slot] = b'd' as std::ffi::c_char;
     }
 }

@@ -27,4 +27,4 @@ pub use ret::Ret;
 pub use rows::{Field, Rows};
 pub use selectivity::{Known, Other, Restriction, join, restriction};
 pub use sort::{Place, sorted_by};
-pub use type_name::type_name;
+pub use type_name::own_type_name;

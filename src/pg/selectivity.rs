@@ -3,13 +3,13 @@
 use pgrx::pg_sys;
 
 use super::analyze::BOX_STATISTICS;
-use super::{Args, type_name};
+use super::{Args, own_type_name};
 
 /// What the planner knows of a column: statistics of ours, if it was analysed.
 #[derive(Debug)]
 pub struct Known {
-    /// Name of its type.
-    pub type_name: String,
+    /// Name of its type, if it is ours.
+    pub type_name: Option<String>,
     /// Share of rows that are not NULL.
     pub present: f64,
     /// What ANALYZE kept.
@@ -21,7 +21,7 @@ pub struct Known {
 /// The side of an operator that is not the column.
 #[derive(Debug)]
 pub enum Other {
-    /// A value, as argument 0, and the name of its type.
+    /// A value of a type of ours, as argument 0, and the type's name.
     Value(Args, String),
     /// NULL.
     Null,
@@ -51,26 +51,26 @@ pub fn restriction(args: &Args) -> Option<Restriction> {
         if !pg_sys::get_restriction_variable(root, list, args.i32(3), &mut data, &mut node, &mut column_on_left) {
             return None;
         }
-        let column = known(&data);
-        let other = other(root, pg_sys::estimate_expression_value(root, node));
+        let column = known(args, &data);
+        let other = other(args, root, pg_sys::estimate_expression_value(root, node));
         release(&data);
         Some(Restriction { column, other, column_on_left })
     }
 }
 
-unsafe fn other(root: *mut pg_sys::PlannerInfo, node: *mut pg_sys::Node) -> Other {
+unsafe fn other(args: &Args, root: *mut pg_sys::PlannerInfo, node: *mut pg_sys::Node) -> Other {
     unsafe {
         if pgrx::nodes::is_a(node, pg_sys::NodeTag::T_Const) {
             let constant = &*node.cast::<pg_sys::Const>();
-            return if constant.constisnull {
-                Other::Null
-            } else {
-                Other::Value(Args::of_value(constant.constvalue), type_name(constant.consttype))
+            return match own_type_name(args, constant.consttype) {
+                _ if constant.constisnull => Other::Null,
+                Some(name) => Other::Value(Args::of_value(constant.constvalue), name),
+                None => Other::Unknown,
             };
         }
         let mut data = pg_sys::VariableStatData::default();
         pg_sys::examine_variable(root, node, 0, &mut data);
-        let column = known(&data);
+        let column = known(args, &data);
         release(&data);
         if column.numbers.is_some() { Other::Column(column) } else { Other::Unknown }
     }
@@ -96,7 +96,7 @@ pub fn join(args: &Args) -> Join {
         let mut reversed = false;
         let [first, second] = &mut data;
         pg_sys::get_join_variables(root, list, special, first, second, &mut reversed);
-        let [left, right] = [known(first), known(second)];
+        let [left, right] = [known(args, first), known(args, second)];
         data.iter().for_each(|d| release(d));
         let kind = (*special).jointype;
         let semi = kind == pg_sys::JoinType::JOIN_SEMI || kind == pg_sys::JoinType::JOIN_ANTI;
@@ -105,10 +105,10 @@ pub fn join(args: &Args) -> Join {
     }
 }
 
-unsafe fn known(data: &pg_sys::VariableStatData) -> Known {
+unsafe fn known(args: &Args, data: &pg_sys::VariableStatData) -> Known {
     unsafe {
         let rows = if data.rel.is_null() { 1.0 } else { (*data.rel).rows.max(1.0) };
-        let mut out = Known { type_name: type_name(data.vartype), present: 1.0, numbers: None, rows };
+        let mut out = Known { type_name: own_type_name(args, data.vartype), present: 1.0, numbers: None, rows };
         if data.statsTuple.is_null() {
             return out;
         }

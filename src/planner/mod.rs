@@ -39,9 +39,9 @@ fn statistics(column: &Known) -> Option<BoxStatistics> {
 }
 
 /// A point overlaps a solid from some distance on.
-fn margin(a: &str, b: &str) -> f64 {
+fn margin(a: Option<&str>, b: Option<&str>) -> f64 {
     let pair = [a, b];
-    if pair.contains(&"ab_point") && pair.contains(&"ab_solid") { JOIN_MARGIN_M } else { 0.0 }
+    if pair.contains(&Some("ab_point")) && pair.contains(&Some("ab_solid")) { JOIN_MARGIN_M } else { 0.0 }
 }
 
 fn mirrored(relation: Relation) -> Relation {
@@ -59,15 +59,16 @@ fn share_of_rows(args: &Args, relation: Relation) -> Result<Ret> {
 
 fn restricted(r: &Restriction, relation: Relation) -> Option<f64> {
     let own = statistics(&r.column)?;
+    let name = r.column.type_name.as_deref();
     let relation = if r.column_on_left { relation } else { mirrored(relation) };
     let share = match &r.other {
         Other::Null => 0.0,
-        Other::Value(value, name) => {
-            let query = box_of(name, value)?;
-            own.selectivity(&query.expanded(margin(&r.column.type_name, name)), relation)
+        Other::Value(value, theirs) => {
+            let query = box_of(theirs, value)?;
+            own.selectivity(&query.expanded(margin(name, Some(theirs))), relation)
         }
         Other::Column(other) => {
-            own.join_selectivity(&statistics(other)?, relation, margin(&r.column.type_name, &other.type_name))
+            own.join_selectivity(&statistics(other)?, relation, margin(name, other.type_name.as_deref()))
         }
         // What is asked for is like what is there.
         Other::Unknown => own.join_selectivity(&own, relation, 0.0),
@@ -78,7 +79,7 @@ fn restricted(r: &Restriction, relation: Relation) -> Option<f64> {
 fn share_of_pairs(args: &Args, relation: Relation) -> Result<Ret> {
     let j = join(args);
     let known = statistics(&j.left).zip(statistics(&j.right)).map(|(left, right)| {
-        let margin = margin(&j.left.type_name, &j.right.type_name);
+        let margin = margin(j.left.type_name.as_deref(), j.right.type_name.as_deref());
         left.join_selectivity(&right, relation, margin) * j.left.present * j.right.present
     });
     let pairs = known.unwrap_or(UNKNOWN);

@@ -27,7 +27,8 @@ sql_functions! {
 
     fn ab_scan_range(args) {
         let h = header(args)?;
-        let [nearest, farthest] = h.range.map(|r| if h.returns > 0 { Field::F64(f64::from(r)) } else { Field::Null });
+        let known = h.returns > 0 && h.origins() != Origins::Unknown;
+        let [nearest, farthest] = h.range.map(|r| if known { Field::F64(f64::from(r)) } else { Field::Null });
         Ok(Ret::Row(vec![nearest, farthest]))
     }
 
@@ -44,8 +45,10 @@ sql_functions! {
                 when(b.returned, Field::Vector((header.origin + content.end(i)).into())),
                 when(has_rays && range > 0.0, Field::Vector((b.offset / range).into())),
                 when(has_rays && b.returned, Field::F64(range)),
-                Field::or_null(content.intensity.as_ref(), |p| Field::I32(p[i].into())),
-                Field::or_null(content.colour.as_ref(), |p| Field::I32Array(p[i].map(i32::from).to_vec())),
+                Field::or_null(content.intensity.as_ref().filter(|_| b.returned), |p| Field::I32(p[i].into())),
+                Field::or_null(content.colour.as_ref().filter(|_| b.returned), |p| {
+                    Field::I32Array(p[i].map(i32::from).to_vec())
+                }),
             ];
             // The SQL of 0.1.0 has no columns for the planes.
             rows.push(&row[..rows.width().min(row.len())]);

@@ -66,7 +66,7 @@ fn origins(args: &Args) -> Result<(Origins, Vec<Vec3>)> {
 fn cloud(args: &Args) -> Result<Patch> {
     let points: Vec<Vec3> = args.f64_triples(0, "the points")?.into_iter().map(Vec3::from).collect();
     let origin = points.first().map_or_else(Vec3::zeros, |p| p.map(f64::round));
-    let step = if args.is_null(1) { spacing(&points) } else { args.f64(1) };
+    let step = if args.is_null(1) { spacing(points.iter()) } else { args.f64(1) };
     let mut content = Content::of(points.iter().map(|p| Beam { offset: p - origin, returned: true }).collect());
     content.intensity = planes::intensity(args, 4)?;
     content.colour = planes::colour(args, 5)?;

@@ -1,8 +1,9 @@
 //! From points read to packed patches.
 
 use anyhow::Result;
-use asbuilt_core::geometry::{Aabb, Vec3};
-use asbuilt_core::scan::{Beam, Patch, clusters, mean_step, spacing, tiles};
+use asbuilt_core::NEVER;
+use asbuilt_core::geometry::Aabb;
+use asbuilt_core::scan::{Content, Origins, Patch, Setting, clusters, mean_step, spacing, tiles};
 use rayon::prelude::*;
 
 use crate::read::RawScan;
@@ -24,19 +25,20 @@ pub fn pack(
     min_range: f64,
     mut sink: impl FnMut(&[u8]) -> Result<()>,
 ) -> Result<Packed> {
-    let (all, has_origin) = (scan.beams.len(), scan.world_from_scan.is_some());
-    scan.beams.retain(|b| !b.returned || !has_origin || b.offset.norm() >= min_range);
-    let (scan, beams) = (&*scan, &scan.beams);
+    let (all, has_origin) = (scan.content.len(), scan.world_from_scan.is_some());
+    scan.retain(|b| !b.returned || !has_origin || b.offset.norm() >= min_range);
+    let (scan, beams) = (&*scan, &scan.content.beams);
     let mut packed = Packed { beams: 0, no_returns: 0, too_near: (all - beams.len()) as u64, points: Aabb::EMPTY };
-    let tiles = if has_origin { tiles(beams) } else { clusters(&beams.iter().map(|b| b.offset).collect::<Vec<_>>()) };
+    let tiles = if has_origin {
+        tiles(beams, NEVER)?
+    } else {
+        clusters(&beams.iter().map(|b| b.offset).collect::<Vec<_>>(), NEVER)?
+    };
     // In batches, so that the packed patches of a large scan are not all in memory at once.
     for batch in tiles.chunks(256) {
         let patches = batch
             .par_iter()
-            .map(|tile| {
-                let own: Vec<Beam> = tile.iter().map(|&i| beams[i as usize]).collect();
-                encode(scan, station, &own)
-            })
+            .map(|tile| encode(scan, station, &scan.content.select(tile)))
             .collect::<asbuilt_core::Result<Vec<Patch>>>()?;
         for patch in patches {
             let h = patch.header();
@@ -51,10 +53,11 @@ pub fn pack(
     Ok(packed)
 }
 
-fn encode(scan: &RawScan, station: i64, beams: &[Beam]) -> asbuilt_core::Result<Patch> {
-    if scan.world_from_scan.is_some() {
-        return Patch::encode(station, scan.anchor, mean_step(beams), Patch::QUANTUM_M, beams);
-    }
-    let points: Vec<Vec3> = beams.iter().map(|b| b.offset + scan.anchor).collect();
-    Patch::encode_cloud(station, scan.anchor, spacing(&points), Patch::QUANTUM_M, &points)
+fn encode(scan: &RawScan, station: i64, content: &Content) -> asbuilt_core::Result<Patch> {
+    let (origins, step) = if scan.world_from_scan.is_some() {
+        (Origins::One, mean_step(&content.beams))
+    } else {
+        (Origins::Unknown, spacing(content.beams.iter().map(|b| &b.offset)))
+    };
+    Patch::pack(&Setting { origins, station, origin: scan.anchor, step, quantum: Patch::QUANTUM_M }, content)
 }

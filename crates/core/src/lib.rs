@@ -21,6 +21,7 @@ pub mod num;
 pub mod scan;
 pub mod uncertain;
 pub mod verify;
+pub mod voxel;
 
 pub use error::{Error, Result};
 

@@ -134,9 +134,10 @@ fn patches_of_pgpointcloud() {
     );
     holds(
         &mut client,
-        "SELECT ab_origin(back) IS NULL AS no_origin, ab_count(back) = 3600 AS all_back, (SELECT count(intensity) FROM ab_beams(back)) = 0 AS no_intensity
-        FROM ours, ab_scans(ab_pcpatch(patch, 1)) back",
+        "SELECT ab_origin(back) IS NULL AS no_origin, ab_count(back) = 3600 AS all_back, ab_station(back) = 9 AS station, (SELECT count(intensity) FROM ab_beams(back)) = 3600 AS intensity
+        FROM ours, ab_scans(ab_pcpatch(patch, 1), NULL, 9) back",
     );
+    fails(&mut client, "SELECT ab_pcpatch(patch, 99) FROM ours", "99");
     holds(
         &mut client,
         "SELECT (SELECT count(intensity) FROM ab_beams(back)) = 0 AS no_intensity, ab_count(back) = 3600 AS all_back FROM ours, ab_scans(ab_pcpatch(patch, 3), ARRAY[600000, 5300000, 500]) back",

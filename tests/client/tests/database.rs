@@ -209,11 +209,14 @@ fn immutable_functions_do_not_follow_settings() {
     let (_db, mut client) = Database::with_extension("settings");
     client.batch_execute(VALUES).unwrap();
     let before = digest(&mut client);
+    client.batch_execute("DROP TABLE value").unwrap();
     client
         .batch_execute(
             "SET extra_float_digits = -10; SET lc_numeric = 'C'; SET DateStyle = 'German'; SET bytea_output = 'escape'; SET TimeZone = 'Asia/Tokyo';
-            SET search_path = pg_catalog, public; SET standard_conforming_strings = off; SET client_encoding = 'LATIN1'",
+            SET search_path = public, pg_catalog; SET standard_conforming_strings = off; SET client_encoding = 'LATIN1'",
         )
         .unwrap();
+    // Made again under these settings, not only printed.
+    client.batch_execute(VALUES).unwrap();
     assert_eq!(digest(&mut client), before);
 }

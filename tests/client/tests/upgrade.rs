@@ -16,6 +16,8 @@ CREATE INDEX ON building_object USING gist (solid); CREATE INDEX ON building_obj
 ANALYZE;
 CREATE TABLE evidence AS SELECT o.id, ab_evidence_agg(o.solid, s.patch, ab_evidence_model(loa => 'LOA30')) AS e
 FROM building_object o LEFT JOIN scan s ON s.patch && o.solid GROUP BY o.id;
+CREATE TABLE tied AS SELECT ab_evidence_agg(solid, ab_point(5, i * 0.02, 1.5 + j * 0.02, 0.001), ARRAY[[-4, 0.5, 1.5], [-3, -0.5, 2]], ab_evidence_model()) AS e
+FROM building_object, generate_series(-40, 40) i, generate_series(-20, 20) j WHERE id = 2;
 CREATE VIEW verdict AS SELECT id, ab_verdict(e) AS verdict, ab_count(e) AS samples FROM evidence;
 CREATE VIEW near AS SELECT o.id, s.station_id FROM building_object o JOIN scan s ON s.patch && o.solid AND o.solid && o.p;
 ";
@@ -26,6 +28,7 @@ const ANSWERS: &str = "SELECT md5(string_agg(t, ';')) FROM (
     UNION ALL (SELECT string_agg(id || '-' || station_id, ',' ORDER BY id, station_id) FROM near)
     UNION ALL (SELECT string_agg(patch::text, ',' ORDER BY station_id) FROM scan)
     UNION ALL (SELECT string_agg(e::text, ',' ORDER BY id) FROM evidence)
+    UNION ALL (SELECT ab_verdict(e) || ab_station_count(e) || ab_rollup(e, e)::text FROM tied)
     UNION ALL (SELECT string_agg(point::text || range, ',' ORDER BY point::text) FROM scan, ab_beams(patch))
     UNION ALL (SELECT string_agg(ab_station(c) || ' ' || ab_count(c), ',' ORDER BY ab_station(c))
         FROM (SELECT unnest(ab_scan_agg(point[1], point[2], point[3], origin, station_id)) AS c FROM scan, ab_beams(patch) GROUP BY station_id) a)) x";
@@ -48,14 +51,15 @@ fn catalogue(client: &mut Client) -> BTreeSet<String> {
     let sql = "
     WITH member AS (SELECT d.classid, d.objid FROM pg_depend d JOIN pg_extension x ON d.refobjid = x.oid AND d.refclassid = 'pg_extension'::regclass WHERE x.extname = 'asbuilt' AND d.deptype = 'e')
     SELECT concat_ws(' ', 'function', p.oid::regprocedure, pg_get_function_arguments(p.oid), pg_get_function_result(p.oid), p.prokind, p.provolatile, p.proparallel, p.proisstrict,
-        p.procost, p.prorows, p.prosrc, p.probin, pg_get_function_sqlbody(p.oid), obj_description(p.oid, 'pg_proc'), a.aggtransfn, a.aggfinalfn, a.aggcombinefn, a.aggserialfn, a.aggtransspace)
+        p.procost, p.prorows, p.prosrc, p.probin, pg_get_function_sqlbody(p.oid), obj_description(p.oid, 'pg_proc'), a.aggtransfn, a.aggfinalfn, a.aggcombinefn, a.aggserialfn, a.aggdeserialfn, a.aggtranstype::regtype, a.aggtransspace)
     FROM member m JOIN pg_proc p ON m.classid = 'pg_proc'::regclass AND m.objid = p.oid LEFT JOIN pg_aggregate a ON a.aggfnoid = p.oid
     UNION ALL SELECT concat_ws(' ', 'operator', o.oid::regoperator, o.oprcode, o.oprrest, o.oprjoin, o.oprcom::regoperator, o.oprnegate::regoperator, o.oprcanhash, o.oprcanmerge, obj_description(o.oid, 'pg_operator'))
     FROM member m JOIN pg_operator o ON m.classid = 'pg_operator'::regclass AND m.objid = o.oid
-    UNION ALL SELECT concat_ws(' ', 'type', t.typname, t.typlen, t.typstorage, t.typalign, t.typinput, t.typsend, t.typanalyze, obj_description(t.oid, 'pg_type'))
+    UNION ALL SELECT concat_ws(' ', 'type', t.typname, t.typlen, t.typstorage, t.typalign, t.typinput, t.typoutput, t.typreceive, t.typsend, t.typanalyze, obj_description(t.oid, 'pg_type'))
     FROM member m JOIN pg_type t ON m.classid = 'pg_type'::regclass AND m.objid = t.oid
     UNION ALL SELECT concat_ws(' ', 'member of', f.opfname, o.amopstrategy, o.amopopr::regoperator, o.amoppurpose) FROM pg_amop o JOIN pg_opfamily f ON f.oid = o.amopfamily WHERE f.opfname ~ '^ab_'
     UNION ALL SELECT concat_ws(' ', 'support of', f.opfname, p.amprocnum, p.amproc::regprocedure) FROM pg_amproc p JOIN pg_opfamily f ON f.oid = p.amprocfamily WHERE f.opfname ~ '^ab_'
+    UNION ALL SELECT concat_ws(' ', 'class', c.opcname, c.opcintype::regtype, c.opcdefault, c.opckeytype::regtype, obj_description(c.oid, 'pg_opclass')) FROM member m JOIN pg_opclass c ON m.classid = 'pg_opclass'::regclass AND m.objid = c.oid
     UNION ALL SELECT concat_ws(' ', 'cast', c.castsource::regtype, c.casttarget::regtype, c.castfunc::regprocedure, c.castcontext, obj_description(c.oid, 'pg_cast'))
     FROM member m JOIN pg_cast c ON m.classid = 'pg_cast'::regclass AND m.objid = c.oid";
     client.query(sql, &[]).unwrap().iter().map(|r| r.get(0)).collect()

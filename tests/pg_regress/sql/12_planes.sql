@@ -17,6 +17,7 @@ SELECT ab_union(ARRAY[ab_scan(ARRAY[0,0,0], ARRAY[[1,0,0]]), ab_cloud(ARRAY[[1,0
 SELECT ab_scan_agg(1, 2, 3, ARRAY[0, 0, 0], 1, -1);
 SELECT ab_scan_agg(1, 2, 3, ARRAY[0, 0, 0], 1, 1, ARRAY[1, 2]);
 SELECT ab_scan_agg(x, 2, 3, ARRAY[0, 0, 0], x) FROM generate_series(1, 2) x;
+SELECT ab_filter(ab_cloud(ARRAY[[1,2,3],[6,6,6]]), 0, 5);
 \set VERBOSITY default
 SELECT ab_union(array_agg(ab_cloud(p))) FROM (SELECT array_agg(ARRAY[i, k, 0]) p FROM generate_series(1, 3000) i, generate_series(1, 2) k GROUP BY k) q;
 -- the least patches
@@ -25,6 +26,11 @@ SELECT ab_count(p), ab_return_count(p), (ab_range(p)).* FROM ab_scan(ARRAY[1,2,3
 SELECT ab_count(p), (ab_range(p)).*, (ab_cone(p)).half_angle, pg_column_size(p) < 1500 AS small FROM (SELECT ab_scan(ARRAY[0,0,0], array_agg(ARRAY[0, 0, 10000])) p FROM generate_series(1, 4096)) q;
 SELECT ab_count(p), (ab_range(p)).* FROM ab_scan(ARRAY[0,0,0], ARRAY[[0,0,0],[0,0,10000]]) p;
 SELECT ab_scan(ARRAY[0,0,0], array_agg(ARRAY[0, 0, 1])) FROM generate_series(1, 4097);
+SELECT (ab_range(ab_cloud(ARRAY[[1,2,3],[6,6,6]]))).*;
+-- the finest quantum of a union wins, whatever the order
+SELECT max(abs(b.point[1] - 5.0004)) < 0.00006 AS fine FROM (VALUES (1), (2)) o(k), LATERAL (SELECT ab_union(p ORDER BY k * q) AS u FROM (VALUES (1, ab_scan(ARRAY[0,0,0], ARRAY[[5, 0, 0]], quantum => 0.001)), (-1, ab_scan(ARRAY[0,0,0], ARRAY[[5.0004, 1, 0]]))) v(q, p)) x, ab_beams(u) b WHERE b.point[2] > 0.5;
+-- what is asked for exactly where a return is, is seen
+SELECT count(*) AS seen FROM generate_series(1, 500) i, ab_scan(ARRAY[6e6 + 0.1 * i, 6e6, 0.3 * i], ARRAY[[6e6 + 5 + 0.37 * i, 6e6 + 0.7 * i, 1]]) p WHERE ab_sees(p, ab_point_box(p));
 -- intensity and colour, with beams that did not return, at 6 000 000 m
 CREATE TABLE patch (kind text, p ab_scan);
 INSERT INTO patch SELECT 'tripod', ab_scan(ARRAY[6e6, 6e6, 0], array_agg(ARRAY[6e6 + 5, 6e6 + i * 0.01, j * 0.01] ORDER BY i, j), 0.002, 7,
@@ -54,7 +60,7 @@ FROM patch, LATERAL (SELECT ab_union(h) AS u FROM (VALUES (ab_filter(p, ab_box(6
 CREATE TABLE ret AS SELECT kind, ab_station(p) AS station, origin, point[1] AS x, point[2] AS y, point[3] AS z, intensity, colour FROM patch, ab_beams(p) WHERE point IS NOT NULL;
 SELECT 'tripod', ab_origin(c), ab_count(c), (SELECT count(*) FROM ab_beams(c) b JOIN ret r ON r.kind = 'tripod' AND r.colour = b.colour AND r.intensity = b.intensity AND abs(r.y - b.point[2]) < 0.0001) AS found FROM (SELECT unnest(ab_scan_agg(x, y, z, origin, station, intensity, colour)) c FROM ret WHERE kind = 'tripod') q
 UNION ALL SELECT 'moving', ab_origin(c), ab_count(c), (SELECT count(DISTINCT origin) FROM ab_beams(c)) FROM (SELECT unnest(ab_scan_agg(x, y, z, origin, station, intensity)) c FROM ret WHERE kind = 'moving') q
-UNION ALL SELECT 'cloud', ab_origin(c), ab_count(c), (SELECT count(*) FROM ab_beams(c) WHERE origin IS NULL) FROM (SELECT unnest(ab_scan_agg(x, y, z)) c FROM ret WHERE kind = 'cloud') q;
+UNION ALL SELECT 'cloud', ab_origin(c), ab_count(c), (SELECT count(*) FROM ab_beams(c) WHERE origin IS NULL) FROM (SELECT unnest(ab_cloud_agg(x, y, z, 5)) c FROM ret WHERE kind = 'cloud') q;
 -- damage of the payload is told as such, wherever it is
 \set VERBOSITY sqlstate
 CREATE FUNCTION damaged(p ab_scan, place int) RETURNS text LANGUAGE plpgsql AS $$
@@ -64,4 +70,9 @@ EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE; END $$;
 SELECT kind, damaged(p, 200 + (i * 7919) % (length(ab_scan_send(p)) - 200)) AS sqlstate, count(*) FROM patch, generate_series(1, 200) i GROUP BY 1, 2 ORDER BY 1, 2;
 SELECT kind, damaged(p, 0) AS newer_version, damaged(p, 4) AS count_too_small, damaged(p, 7) AS count_huge FROM patch;
 SELECT DISTINCT damaged(p, i) FROM patch, generate_series(0, 199) i ORDER BY 1;
+-- a header that is taken describes its beams, but for station and step, which are as one says
+CREATE FUNCTION changed(p ab_scan, place int) RETURNS ab_scan LANGUAGE sql RETURN ('ab_scan:1:' || encode(set_byte(ab_scan_send(p), place, get_byte(ab_scan_send(p), place) # 255), 'hex'))::ab_scan;
+SELECT count(*) > 50 AS some, bool_and(ab_count(c) = ab_count(p) AND ab_point_box(c) <@ ab_expand(ab_point_box(p), 1e-7) AND ab_point_box(p) <@ ab_expand(ab_point_box(c), 1e-7) AND ab_box(c) <@ ab_expand(ab_box(p), 1e-7) AND ab_box(p) <@ ab_expand(ab_box(c), 1e-7)) AS same_boxes
+FROM (SELECT p, changed(p, i) AS c FROM patch, generate_series(0, 199) i WHERE damaged(p, i) = 'taken' OFFSET 0) x;
+DROP FUNCTION changed;
 DROP FUNCTION damaged; DROP TABLE patch, ret;

@@ -42,6 +42,12 @@ pub struct LoadArgs {
     /// Drop returns nearer than this (the scanner's own platform), metres
     #[arg(long, default_value_t = 0.3, value_name = "M", allow_hyphen_values = true)]
     min_range: f64,
+    /// Keep the intensity of every return (E57, LAS, LAZ); 1 to 2 bytes a beam more
+    #[arg(long)]
+    intensity: bool,
+    /// Keep the colour of every return (E57, LAS, LAZ); up to 3 bytes a beam more
+    #[arg(long, alias = "color")]
+    colour: bool,
     /// Level of accuracy of objects whose property LevelOfAccuracy does not say
     #[arg(long, default_value = "LOA30", value_parser = parse_loa)]
     loa: Loa,
@@ -235,9 +241,9 @@ fn load_scans(args: &LoadArgs, file: &Path, tx: &mut Transaction) -> Result<()> 
     }
     let bar = progress(&format!("reading {source}"), "points");
     let mut total = Total::default();
-    let options = ReadOptions { origin: args.origin };
+    let options = ReadOptions { origin: args.origin, intensity: args.intensity, colour: args.colour };
     read::read_scans(file, &options, &bar, &mut |mut scan| {
-        if scan.beams.is_empty() {
+        if scan.content.is_empty() {
             say!("  {}: empty, passed over", scan.name);
             return Ok(());
         }

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::Beam;
-use e57::{CartesianCoordinate, E57Reader, PointCloud, RecordDataType};
+use asbuilt_core::scan::{Beam, Content};
+use e57::{CartesianCoordinate, E57Reader, Point, PointCloud, RecordDataType};
 use indicatif::ProgressBar;
 use nalgebra::{Quaternion, UnitQuaternion};
 
@@ -25,7 +25,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     for (i, cloud) in clouds.iter().enumerate() {
         check(cloud, length)?;
         let mut scan = read_cloud(&mut file, cloud, options, bar)?;
-        points += scan.beams.len();
+        points += scan.content.len();
         scan.name =
             cloud.name.clone().filter(|n| !n.is_empty()).unwrap_or_else(|| format!("{} #{}", stem(path), i + 1));
         sink(scan)?;
@@ -79,18 +79,21 @@ fn read_cloud(
         bail!("the pose of a point cloud is no pose");
     }
     let rotation = UnitQuaternion::from_quaternion(q);
-    let (beams, cells, unusable) = collect(file, cloud, bar, &rotation)?;
+    let (content, cells, unusable) = collect(file, cloud, options, bar, &rotation)?;
     let mut scan = RawScan {
         name: String::new(),
         sensor: sensor(cloud),
         world_from_scan: has_origin.then_some([rotation.w, rotation.i, rotation.j, rotation.k]),
         anchor: scanner,
-        beams,
+        content,
         unusable,
     };
     if has_origin {
         let missing = missing_directions(&cells);
-        scan.beams.extend(missing.iter().map(|d| Beam { offset: rotation * d, returned: false }));
+        scan.content.beams.extend(missing.iter().map(|d| Beam { offset: rotation * d, returned: false }));
+        let n = scan.content.len();
+        scan.content.intensity.iter_mut().for_each(|p| p.resize(n, 0));
+        scan.content.colour.iter_mut().for_each(|p| p.resize(n, [0; 3]));
     }
     move_anchor(&mut scan, options.origin, has_origin);
     Ok(scan)
@@ -100,23 +103,27 @@ fn read_cloud(
 const MAX_RESERVED: u64 = 1 << 24;
 
 /// Beams, cells of the grid, and how many points were not finite.
-type Collected = (Vec<Beam>, Vec<Cell>, u64);
+type Collected = (Content, Vec<Cell>, u64);
 
 fn collect(
     file: &mut E57Reader<std::io::BufReader<std::fs::File>>,
     cloud: &PointCloud,
+    options: &ReadOptions,
     bar: &ProgressBar,
     rotation: &UnitQuaternion<f64>,
 ) -> Result<Collected> {
     let grid = cloud.has_row_column();
     let room = cloud.records.min(MAX_RESERVED) as usize;
-    let (mut beams, mut cells) = (Vec::with_capacity(room), Vec::with_capacity(if grid { room } else { 0 }));
+    let mut content = Content::of(Vec::with_capacity(room));
+    content.intensity = (options.intensity && cloud.has_intensity()).then(Vec::new);
+    content.colour = (options.colour && cloud.has_color()).then(Vec::new);
+    let mut cells = Vec::with_capacity(if grid { room } else { 0 });
     let mut unusable = 0;
     let mut reader = file.pointcloud_simple(cloud).context("its points cannot be read")?;
     reader.apply_pose(false);
     reader.intensity_to_color(false);
-    reader.normalize_color(false);
-    reader.normalize_intensity(false);
+    reader.normalize_color(options.colour);
+    reader.normalize_intensity(options.intensity);
     // The iterator repeats an error for ever: stop at the first.
     for (i, point) in reader.enumerate() {
         let point = point.with_context(|| format!("damaged after point {i} of {}", cloud.records))?;
@@ -126,7 +133,7 @@ fn collect(
         let local = match point.cartesian {
             CartesianCoordinate::Valid { x, y, z } => Some(Vec3::new(x, y, z)),
             CartesianCoordinate::Direction { x, y, z } => {
-                beams.push(Beam { offset: rotation * Vec3::new(x, y, z), returned: false });
+                push(&mut content, Beam { offset: rotation * Vec3::new(x, y, z), returned: false }, &point);
                 continue;
             }
             CartesianCoordinate::Invalid => None,
@@ -134,7 +141,9 @@ fn collect(
         let finite = local.filter(|p| p.iter().all(|c| c.is_finite()));
         unusable += u64::from(local.is_some() && finite.is_none());
         let local = finite;
-        beams.extend(local.map(|p| Beam { offset: rotation * p, returned: true }));
+        if let Some(p) = local {
+            push(&mut content, Beam { offset: rotation * p, returned: true }, &point);
+        }
         if let (true, Ok(row), Ok(column)) = (grid, u32::try_from(point.row), u32::try_from(point.column)) {
             cells.push(Cell { row, column, point: local });
         }
@@ -142,19 +151,32 @@ fn collect(
     if cells.iter().all(|c| c.point.is_some()) {
         cells.clear();
     }
-    Ok((beams, cells, unusable))
+    Ok((content, cells, unusable))
+}
+
+/// Adds a beam and, to the planes there are, what was measured of it (0 where the file does not say).
+fn push(content: &mut Content, beam: Beam, point: &Point) {
+    content.beams.push(beam);
+    let full = |share: f32, full: f32| (share.clamp(0.0, 1.0) * full).round();
+    if let Some(plane) = &mut content.intensity {
+        plane.push(point.intensity.map_or(0, |i| full(i, f32::from(u16::MAX)) as u16));
+    }
+    if let Some(plane) = &mut content.colour {
+        let part = |c: f32| full(c, f32::from(u8::MAX)) as u8;
+        plane.push(point.color.as_ref().map_or([0; 3], |c| [part(c.red), part(c.green), part(c.blue)]));
+    }
 }
 
 /// Where the file tells no position: makes the beams relative to the user's origin, or else to a point near them.
 fn move_anchor(scan: &mut RawScan, origin: Option<Vec3>, has_origin: bool) {
-    let Some(first) = scan.beams.first() else { return };
+    let Some(first) = scan.content.beams.first() else { return };
     if has_origin {
         return;
     }
     let anchor = origin.unwrap_or_else(|| (first.offset + scan.anchor).map(|c| c.round()));
     let shift = scan.anchor - anchor;
-    scan.beams.retain(|b| b.returned);
-    scan.beams.iter_mut().for_each(|b| b.offset += shift);
+    scan.retain(|b| b.returned);
+    scan.content.beams.iter_mut().for_each(|b| b.offset += shift);
     scan.anchor = anchor;
     scan.world_from_scan = origin.map(|_| NO_ROTATION);
 }

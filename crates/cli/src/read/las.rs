@@ -6,10 +6,11 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
+use asbuilt_core::scan::{Beam, Content};
 use indicatif::ProgressBar;
 use las::{Header, LazParallelism, PointDataBuilder, Reader, ReaderOptions, raw};
 
-use super::{ReadOptions, Sink, scan_of_points};
+use super::{ReadOptions, Sink, scan_of_content};
 
 /// Points read at a time: several LAZ chunks, so that they decompress in parallel.
 const AT_ONCE: u64 = 500_000;
@@ -26,20 +27,31 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     let mut reader = Reader::with_options(file, parallel).context("not a readable LAS file")?;
     let t = *reader.header().transforms();
     let mut data = PointDataBuilder::new().for_header(reader.header()).build();
-    let mut points = Vec::new();
-    while (points.len() as u64) < count {
+    let mut content = Content::default();
+    content.intensity = options.intensity.then(Vec::new);
+    let mut colours = Vec::new();
+    while (content.len() as u64) < count {
         let got = reader.fill_points(AT_ONCE, &mut data).context("its points are damaged")?;
         if got == 0 {
-            bail!("it ends after {} of {count} points", points.len());
+            bail!("it ends after {} of {count} points", content.len());
         }
         // In every point format a record starts with x, y, z as 32-bit integers.
-        points.extend(data.raw_bytes().chunks_exact(data.record_len()).map(|record| {
+        content.beams.extend(data.raw_bytes().chunks_exact(data.record_len()).map(|record| {
             let coordinate = |at: usize| i32::from_le_bytes(std::array::from_fn(|k| record[at + k]));
-            Vec3::new(t.x.direct(coordinate(0)), t.y.direct(coordinate(4)), t.z.direct(coordinate(8)))
+            let offset = Vec3::new(t.x.direct(coordinate(0)), t.y.direct(coordinate(4)), t.z.direct(coordinate(8)));
+            Beam { offset, returned: true }
         }));
+        content.intensity.iter_mut().for_each(|plane| plane.extend(data.intensity()));
+        if let (true, Some(some)) = (options.colour, data.rgb()) {
+            colours.extend(some.map(|(r, g, b)| [r, g, b]));
+        }
         bar.inc(got);
     }
-    sink(scan_of_points(path, points, options.origin)?)
+    // The format wants sixteen bits a part; many writers fill eight.
+    let shift = if colours.iter().flatten().any(|&part| part > 255) { 8 } else { 0 };
+    content.colour =
+        (!colours.is_empty()).then(|| colours.iter().map(|c| c.map(|part| (part >> shift) as u8)).collect());
+    sink(scan_of_content(path, content, options.origin)?)
 }
 
 /// Number of points, after refusing headers that would make the library allocate what they only claim.

@@ -15,7 +15,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, anyhow, bail};
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::Beam;
+use asbuilt_core::scan::{Beam, Content};
 use indicatif::ProgressBar;
 
 /// What a scan file holds, position by position.
@@ -29,10 +29,22 @@ pub struct RawScan {
     pub world_from_scan: Option<[f64; 4]>,
     /// The scanner's place, or a reference point near the data; world metres.
     pub anchor: Vec3,
-    /// Beams relative to `anchor`, world axes.
-    pub beams: Vec<Beam>,
+    /// Beams relative to `anchor`, world axes; with intensity and colour where they were asked for and are there.
+    pub content: Content,
     /// Points that are no points: not finite, or impossibly far.
     pub unusable: u64,
+}
+
+impl RawScan {
+    /// Keeps the beams that `keep` says yes to, with what belongs to them.
+    pub fn retain(&mut self, keep: impl Fn(&Beam) -> bool) {
+        if self.content.beams.iter().all(&keep) {
+            return;
+        }
+        let kept: Vec<u32> =
+            (0..self.content.len() as u32).filter(|&i| keep(&self.content.beams[i as usize])).collect();
+        self.content = self.content.select(&kept);
+    }
 }
 
 /// Rotation of a scan whose file gives none.
@@ -43,6 +55,10 @@ pub const NO_ROTATION: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 pub struct ReadOptions {
     /// The scanner's place as the user gives it, for files that do not tell it.
     pub origin: Option<Vec3>,
+    /// Keep intensities.
+    pub intensity: bool,
+    /// Keep colours.
+    pub colour: bool,
 }
 
 /// Takes scans as they are read.
@@ -80,18 +96,19 @@ const MAX_RANGE_M: f64 = 50_000.0;
 /// coordinates, saved with the scanner at zero) becomes points without origin; a few such points are dropped.
 fn doubt_origin(mut scan: RawScan, given: Option<Vec3>) -> RawScan {
     let is_far = |b: &Beam| b.returned && b.offset.norm() > MAX_RANGE_M;
-    let far = scan.beams.iter().filter(|b| is_far(b)).count();
+    let far = scan.content.beams.iter().filter(|b| is_far(b)).count();
     if far == 0 || scan.world_from_scan.is_none() {
         return scan;
     }
-    if given.is_none() && 2 * far > scan.beams.len() {
-        let shift = scan.beams.iter().find(|b| is_far(b)).map_or_else(Vec3::zeros, |b| b.offset.map(|c| c.round()));
+    if given.is_none() && 2 * far > scan.content.len() {
+        let shift =
+            scan.content.beams.iter().find(|b| is_far(b)).map_or_else(Vec3::zeros, |b| b.offset.map(|c| c.round()));
         scan.anchor += shift;
-        scan.beams.retain(|b| b.returned);
-        scan.beams.iter_mut().for_each(|b| b.offset -= shift);
+        scan.retain(|b| b.returned);
+        scan.content.beams.iter_mut().for_each(|b| b.offset -= shift);
         scan.world_from_scan = None;
     } else {
-        scan.beams.retain(|b| !is_far(b));
+        scan.retain(|b| !is_far(b));
         scan.unusable += far as u64;
     }
     scan
@@ -124,14 +141,22 @@ pub fn silence_panics<T>(work: impl FnOnce() -> T) -> std::thread::Result<T> {
 
 /// Points in world coordinates as a scan from `options.origin`, or as points without origin.
 fn scan_of_points(path: &Path, points: Vec<Vec3>, origin: Option<Vec3>) -> Result<RawScan> {
-    let all = points.len();
-    let finite: Vec<Vec3> = points.into_iter().filter(|p| p.iter().all(|c| c.is_finite())).collect();
-    let unusable = (all - finite.len()) as u64;
-    let first = *finite.first().ok_or_else(|| anyhow!("it holds no points"))?;
-    let anchor = origin.unwrap_or_else(|| first.map(|c| c.round()));
-    let beams = finite.into_iter().map(|p| Beam { offset: p - anchor, returned: true }).collect();
+    let beam = |offset| Beam { offset, returned: true };
+    scan_of_content(path, Content::of(points.into_iter().map(beam).collect()), origin)
+}
+
+/// The same with planes; offsets are world coordinates yet.
+fn scan_of_content(path: &Path, content: Content, origin: Option<Vec3>) -> Result<RawScan> {
     let world_from_scan = origin.map(|_| NO_ROTATION);
-    Ok(RawScan { name: stem(path), sensor: None, world_from_scan, anchor, beams, unusable })
+    let mut scan =
+        RawScan { name: stem(path), sensor: None, world_from_scan, anchor: Vec3::zeros(), content, unusable: 0 };
+    let all = scan.content.len();
+    scan.retain(|b| b.offset.iter().all(|c| c.is_finite()));
+    scan.unusable = (all - scan.content.len()) as u64;
+    let first = scan.content.beams.first().ok_or_else(|| anyhow!("it holds no points"))?.offset;
+    scan.anchor = origin.unwrap_or_else(|| first.map(|c| c.round()));
+    scan.content.beams.iter_mut().for_each(|b| b.offset -= scan.anchor);
+    Ok(scan)
 }
 
 fn stem(path: &Path) -> String {

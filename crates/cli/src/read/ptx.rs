@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::Beam;
+use asbuilt_core::scan::{Beam, Content};
 use indicatif::ProgressBar;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
@@ -28,7 +28,8 @@ pub fn read(path: &Path, bar: &ProgressBar, sink: Sink) -> Result<()> {
             cells.iter().filter_map(|c| c.point).map(|p| Beam { offset: rotation * p, returned: true }).collect();
         beams.extend(missing_directions(&cells).iter().map(|d| Beam { offset: rotation * d, returned: false }));
         let name = if number == 1 { stem(path) } else { format!("{} #{number}", stem(path)) };
-        sink(RawScan { name, sensor: None, world_from_scan: Some(quaternion(&rotation)), anchor, beams, unusable: 0 })?;
+        let (world_from_scan, content) = (Some(quaternion(&rotation)), Content::of(beams));
+        sink(RawScan { name, sensor: None, world_from_scan, anchor, content, unusable: 0 })?;
     }
     if number == 0 {
         bail!("it holds no scan");

@@ -130,7 +130,8 @@ impl Cell {
                 let interval = |c: &Self| [c.centres.min[i], c.centres.max[i]];
                 near(interval(self), interval(o), reach)
             })
-            .product()
+            .try_fold(1.0, |all, chance| (chance > 0.0).then_some(all * chance))
+            .unwrap_or(0.0)
     }
 }
 
@@ -141,9 +142,9 @@ fn near(a: [f64; 2], b: [f64; 2], reach: f64) -> f64 {
     }
     // Their difference is below t with the chance F(t) = (r(t-a0+b1) - r(t-a1+b1) - r(t-a0+b0) + r(t-a1+b0)) / (la lb),
     // r(x) = max(x, 0)²/2, a trapezium's. An interval is at least this wide, so that a point is one.
-    const LEAST_WIDTH: f64 = 1e-4;
+    let least_width = a.iter().chain(&b).fold(1e-4, |w: f64, c| w.max(1e-12 * c.abs()));
     let widen = |[lo, hi]: [f64; 2]| {
-        let more = (0.5 * (LEAST_WIDTH - (hi - lo))).max(0.0);
+        let more = (0.5 * (least_width - (hi - lo))).max(0.0);
         [lo - more, hi + more]
     };
     let ([a0, a1], [b0, b1]) = (widen(a), widen(b));
@@ -157,7 +158,9 @@ fn near(a: [f64; 2], b: [f64; 2], reach: f64) -> f64 {
         let r = |x: f64| x.max(0.0).powi(2) / 2.0;
         (r(t - a0 + b1) - r(t - a1 + b1) - r(t - a0 + b0) + r(t - a1 + b0)) / ((a1 - a0) * (b1 - b0))
     };
-    (below(reach) - below(-reach)).clamp(0.0, 1.0)
+    // Beyond what single coordinates can tell apart, nothing overlaps.
+    let chance = below(reach) - below(-reach);
+    if chance.is_nan() { 0.0 } else { chance.clamp(0.0, 1.0) }
 }
 
 #[cfg(test)]
@@ -264,6 +267,11 @@ mod tests {
         assert_eq!(all.selectivity(&b.expanded(1.0), Relation::Contained), 1.0);
         assert_eq!(all.selectivity(&b.expanded(1.0), Relation::Contains), 0.0);
         assert_eq!(all.selectivity(&Aabb { min: [3.0; 3], max: [4.0; 3] }, Relation::Overlaps), 0.0);
+        let far = Aabb { min: [1e300; 3], max: [1.1e300; 3] };
+        let mixed = BoxStatistics::of(&[b, far, far, b, b, far, b, far, b]).unwrap();
+        for other in [&all, &mixed] {
+            assert!((0.0..=1.0).contains(&mixed.join_selectivity(other, Relation::Overlaps, 0.0)));
+        }
         assert!(BoxStatistics::of(&[]).is_none() && BoxStatistics::of(&[Aabb::EMPTY]).is_none());
         assert!(
             BoxStatistics::from_numbers(&[1.0; 11]).is_none() && BoxStatistics::from_numbers(&[f64::NAN; 10]).is_none()

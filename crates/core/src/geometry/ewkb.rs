@@ -18,8 +18,11 @@ const POLYHEDRAL_SURFACE: u32 = 15;
 const TIN: u32 = 16;
 const TRIANGLE: u32 = 17;
 
-/// Most corners of one face: cutting a face into triangles takes up to the square of them, and is not interrupted.
-const MAX_CORNERS: usize = 10_000;
+/// Most corners of one face: cutting one that is not simple into triangles can take the cube of them, and is not
+/// interrupted.
+const MAX_CORNERS: usize = 1000;
+/// The triangles of a face cover its area to this share, or it is refused: its rings cross each other.
+const AREA_TOLERANCE: f64 = 0.01;
 
 /// How a surface is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -125,6 +128,9 @@ impl Cursor<'_> {
             let (value, limit) = (n.to_string(), MAX_CORNERS.to_string());
             return Err(Error::Limit { what: "the number of corners of one face", value, limit });
         }
+        if n < 3 {
+            return Err(self.r.bad(format!("a ring of {n} points")));
+        }
         let mut ring = (0..n).map(|_| self.point()).collect::<Result<Vec<Vec3>>>()?;
         if let Some(c) = ring.iter().flatten().find(|c| !c.is_finite()) {
             return Err(Error::argument("a coordinate", "finite", c));
@@ -173,9 +179,18 @@ impl Mesh {
         if ty == TRIANGLE && corners.len() != 3 {
             return Err(cursor.r.bad(format!("a triangle of {} corners", corners.len())));
         }
-        let cut = if corners.len() == 3 { vec![0, 1, 2] } else { ears(&corners, &holes, outer) };
-        if cut.is_empty() {
-            return Err(cursor.r.bad(format!("a face of {} corners that encloses nothing", corners.len())));
+        let whole = corners.len() == 3 && holes.is_empty();
+        let cut = if whole { vec![0, 1, 2] } else { ears(&corners, &holes, outer) };
+        let area = |t: &[usize; 3]| {
+            let [a, b, c] = t.map(|i| corners[i]);
+            (b - a).cross(&(c - a)).norm()
+        };
+        let covered: f64 = cut.as_chunks().0.iter().map(area).sum();
+        let enclosed = enclosed(&corners, &holes);
+        if cut.is_empty() || (covered - enclosed).abs() > AREA_TOLERANCE * enclosed {
+            let reason =
+                format!("a face of {} corners that encloses nothing, is not plane or crosses itself", corners.len());
+            return Err(cursor.r.bad(reason));
         }
         let numbers: Vec<u32> = corners.into_iter().map(|c| self.number(c)).collect();
         self.triangles.extend(cut.as_chunks::<3>().0.iter().map(|t| t.map(|i| numbers[i])));
@@ -183,11 +198,24 @@ impl Mesh {
     }
 }
 
+/// Twice the area inside the outer ring and outside the holes, by Newell's normals.
+fn enclosed(corners: &[Vec3], holes: &[usize]) -> f64 {
+    let starts = std::iter::once(0).chain(holes.iter().copied());
+    let ends = holes.iter().copied().chain(std::iter::once(corners.len()));
+    let ring = |(start, end): (usize, usize)| normal(&corners[start..end]).norm();
+    let mut areas = starts.zip(ends).map(ring);
+    areas.next().unwrap_or(0.0) - areas.sum::<f64>()
+}
+
+/// Newell's normal of a ring; its length is twice the area.
+fn normal(ring: &[Vec3]) -> Vec3 {
+    let turn = |i: usize| (ring[i] - ring[0]).cross(&(ring[(i + 1) % ring.len()] - ring[0]));
+    (0..ring.len()).map(turn).sum()
+}
+
 /// Corner numbers of triangles that fill a plane polygon, turning as its outer ring does.
 fn ears(corners: &[Vec3], holes: &[usize], outer: usize) -> Vec<usize> {
-    // Newell's normal of the outer ring.
-    let turn = |i: usize| (corners[i] - corners[0]).cross(&(corners[(i + 1) % outer] - corners[0]));
-    let normal: Vec3 = (0..outer).map(turn).sum();
+    let normal = normal(&corners[..outer]);
     let dropped = normal.iamax();
     let flat: Vec<f64> = corners
         .iter()
@@ -276,6 +304,21 @@ mod tests {
             assert!((0..s.triangles().len()).all(|t| back.corners(t) == s.corners(t)));
             assert_eq!(back.closedness(), s.closedness());
         }
+    }
+
+    #[test]
+    fn faces_that_are_none() {
+        let face = |rings: &[&[[f64; 2]]]| -> Vec<Vec<Vec<[f64; 3]>>> {
+            vec![rings.iter().map(|r| r.iter().map(|p| [p[0], p[1], 1.0]).collect()).collect()]
+        };
+        let square: &[[f64; 2]] = &[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+        let crossed = face(&[&[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 4.0], [-1.0, 2.0]]]);
+        let outside = face(&[square, &[[6.0, 0.0], [7.0, 0.0], [7.0, 1.0]]]);
+        let flat = face(&[&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0]]]);
+        for faces in [crossed, outside, flat] {
+            assert!(Solid::from_ewkb(&write(POLYHEDRAL_SURFACE, &faces, false), NEVER).is_err());
+        }
+        assert!(Solid::from_ewkb(&write(POLYHEDRAL_SURFACE, &face(&[square]), false), NEVER).is_ok());
     }
 
     #[test]

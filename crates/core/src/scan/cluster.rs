@@ -2,23 +2,25 @@
 
 use super::{Content, MAX_BEAMS};
 use crate::geometry::{Aabb, Vec3};
+use crate::{Interrupt, Result, poll};
 
 /// Cuts points into clusters of at most [`MAX_BEAMS`] that lie together: halved across the longest side of their box
 /// until they are small. Each is a list of point numbers in the order given; every point is in exactly one.
-pub fn clusters(points: &[Vec3]) -> Vec<Vec<u32>> {
+pub fn clusters(points: &[Vec3], interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
     let mut all: Vec<u32> = (0..points.len() as u32).collect();
     let mut out = Vec::new();
-    split(points, &mut all, &mut out);
-    out
+    split(points, &mut all, &mut out, interrupt)?;
+    Ok(out)
 }
 
-fn split(points: &[Vec3], own: &mut [u32], out: &mut Vec<Vec<u32>>) {
+fn split(points: &[Vec3], own: &mut [u32], out: &mut Vec<Vec<u32>>, interrupt: Interrupt) -> Result<()> {
+    poll(interrupt)?;
     if own.len() <= MAX_BEAMS {
         if !own.is_empty() {
             own.sort_unstable();
             out.push(own.to_vec());
         }
-        return;
+        return Ok(());
     }
     let b = Aabb::around(own.iter().map(|&i| &points[i as usize]));
     let axis = (0..3).max_by(|&i, &j| (b.max[i] - b.min[i]).total_cmp(&(b.max[j] - b.min[j]))).unwrap_or(0);
@@ -27,17 +29,18 @@ fn split(points: &[Vec3], own: &mut [u32], out: &mut Vec<Vec<u32>>) {
     let at = |i: &u32| points[*i as usize][axis];
     own.select_nth_unstable_by(middle, |a, b| at(a).total_cmp(&at(b)).then(a.cmp(b)));
     let (low, high) = own.split_at_mut(middle);
-    split(points, low, out);
-    split(points, high, out);
+    split(points, low, out, interrupt)?;
+    split(points, high, out, interrupt)
 }
 
 /// Distance between neighbouring points, metres, when nobody tells: points lie on surfaces, and a surface covers about
 /// the largest side of their box.
-pub fn spacing(points: &[Vec3]) -> f64 {
+pub fn spacing<'a>(points: impl ExactSizeIterator<Item = &'a Vec3>) -> f64 {
+    let n = points.len();
     let b = Aabb::around(points);
     let side = |i: usize| b.max[i] - b.min[i];
     let area = [side(0) * side(1), side(1) * side(2), side(2) * side(0)].into_iter().fold(1e-6, f64::max);
-    (area / points.len().max(1) as f64).sqrt().clamp(1e-6, 1e3)
+    (area / n.max(1) as f64).sqrt().clamp(1e-6, 1e3)
 }
 
 /// Angle between neighbouring beams of a moving platform, radians, when nobody tells: their [`spacing`] at the mean range.
@@ -45,25 +48,29 @@ pub fn angular_spacing(content: &Content) -> f64 {
     let returned: Vec<usize> = (0..content.len()).filter(|&i| content.beams[i].returned).collect();
     let ends: Vec<Vec3> = returned.iter().map(|&i| content.end(i)).collect();
     let range = returned.iter().map(|&i| content.beams[i].offset.norm()).sum::<f64>() / returned.len().max(1) as f64;
-    (spacing(&ends) / range.max(0.1)).clamp(1e-6, 1.0)
+    (spacing(ends.iter()) / range.max(0.1)).clamp(1e-6, 1.0)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::NEVER;
 
     #[test]
     fn every_point_is_in_one_small_cluster() {
         let points: Vec<Vec3> = (0..20_000)
             .map(|i| Vec3::new(f64::from(i % 200) * 0.1, f64::from(i / 200) * 0.1, f64::from(i * 7919 % 13) * 1e-3))
             .collect();
-        let clusters = clusters(&points);
+        let clusters = clusters(&points, NEVER).unwrap();
         let mut seen = vec![0; points.len()];
         clusters.iter().flatten().for_each(|&i| seen[i as usize] += 1);
         assert!(seen.iter().all(|&n| n == 1));
         assert!(clusters.iter().all(|c| c.len() <= MAX_BEAMS && c.len() > MAX_BEAMS / 2 && c.is_sorted()));
-        assert!((spacing(&points) / 0.1 - 1.0).abs() < 0.02);
-        assert!(super::clusters(&[]).is_empty());
-        assert_eq!(super::clusters(&vec![Vec3::zeros(); 10_000]).iter().map(Vec::len).sum::<usize>(), 10_000);
+        assert!((spacing(points.iter()) / 0.1 - 1.0).abs() < 0.02);
+        assert!(super::clusters(&[], NEVER).unwrap().is_empty());
+        assert_eq!(
+            super::clusters(&vec![Vec3::zeros(); 10_000], NEVER).unwrap().iter().map(Vec::len).sum::<usize>(),
+            10_000
+        );
     }
 }

@@ -7,10 +7,10 @@ use super::{Content, Header, MAX_BEAMS, Origins, Patch, clusters, tiles};
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::uncertain::Pose;
-use crate::{Interrupt, poll_now_and_then};
+use crate::{Interrupt, poll, poll_now_and_then};
 
 /// Beams cut anew in one call: they are in memory, unpacked.
-const MAX_RETILED: usize = 20_000_000;
+const MAX_RETILED: usize = 10_000_000;
 
 impl Patch {
     /// The beams that `keep` says yes to, by number; `None` where none is left.
@@ -30,14 +30,18 @@ impl Patch {
 
     /// Beams whose return is at least `min` and at most `max` metres away.
     pub fn between(bytes: &[u8], min: f64, max: f64) -> Result<Option<Self>> {
+        if Header::read(bytes)?.origins() == Origins::Unknown {
+            let expected = "of beams whose origin is known";
+            return Err(Error::argument("a filter by range", expected, "of points without origin"));
+        }
         Self::filtered(bytes, |_, c, i| c.beams[i].returned && (min..=max).contains(&c.beams[i].offset.norm()))
     }
 
     /// The first beam of every cube of side `spacing` (metres, lattice of the reference system) that a return lies in,
     /// and every beam without return.
     pub fn thinned(bytes: &[u8], spacing: f64) -> Result<Option<Self>> {
-        if !(spacing > 0.0 && spacing.is_finite()) {
-            return Err(Error::argument("the spacing", "positive and finite", spacing));
+        if !(1e-6..=1e6).contains(&spacing) {
+            return Err(Error::argument("the spacing", "from 0.000001 to 1000000 m", spacing));
         }
         let mut taken = HashSet::new();
         Self::filtered(bytes, |h, c, i| {
@@ -69,22 +73,24 @@ impl Patch {
     /// The beams of many patches of one station, cut anew into tiles of neighbours.
     pub fn retiled(patches: &[&[u8]], interrupt: Interrupt) -> Result<Vec<Self>> {
         let Some((header, content)) = joined(patches, MAX_RETILED, interrupt)? else { return Ok(Vec::new()) };
-        cut(&content, header.origins() == Origins::One)
-            .iter()
-            .map(|tile| Self::pack(&header.setting(), &content.select(tile)))
-            .collect()
+        let pack = |tile: &Vec<u32>| {
+            poll(interrupt)?;
+            Self::pack(&header.setting(), &content.select(tile))
+        };
+        cut(&content, header.origins() == Origins::One, interrupt)?.iter().map(pack).collect()
     }
 }
 
 /// Cuts by direction what was seen from one place, by place all else; beams of zero length are in no angular tile.
-fn cut(content: &Content, one_origin: bool) -> Vec<Vec<u32>> {
+fn cut(content: &Content, one_origin: bool, interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
     if one_origin {
-        return tiles(&content.beams);
+        return tiles(&content.beams, interrupt);
     }
-    clusters(&(0..content.len()).map(|i| content.end(i)).collect::<Vec<Vec3>>())
+    clusters(&(0..content.len()).map(|i| content.end(i)).collect::<Vec<Vec3>>(), interrupt)
 }
 
-/// All beams of patches of one station, from the first one's origin; `None` where there is no patch.
+/// All beams of patches of one station, from the first one's origin, at the finest quantum of all; `None` where there is
+/// no patch.
 fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option<(Header, Content)>> {
     let mut all: Option<(Header, Content)> = None;
     for (i, bytes) in patches.iter().enumerate() {
@@ -101,6 +107,7 @@ fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option
         {
             return Err(Error::argument("the patches of a union", "of one station and origin", "of several"));
         }
+        first.quantum = first.quantum.min(header.quantum);
         match &mut content.starts {
             Some(starts) => starts.iter_mut().for_each(|s| *s += shift),
             None => content.beams.iter_mut().for_each(|b| b.offset += shift),
@@ -124,10 +131,12 @@ impl Header {
             Origins::Unknown => return self.points.expanded(margin).overlaps(bounds),
         }
         let offset = bounds.centre() - self.origin;
-        let radius = 0.5 * bounds.expanded(margin).diagonal();
+        // Room for rounding: of differences of coordinates, and of the header's single precision.
+        let rounding = 1e-6 + 1e-9 * self.origin.amax().max(bounds.centre().amax());
+        let radius = 0.5 * bounds.expanded(margin).diagonal() + rounding;
         let returns = if self.returns > 0 { f64::from(self.range[1]) } else { 0.0 };
         let reach = if self.flags & Self::FLAG_NO_RETURNS != 0 { f64::INFINITY } else { returns };
-        offset.norm() - radius <= reach && self.cone.meets_ball(&offset, radius, 0.0)
+        offset.norm() - radius <= reach && self.cone.meets_ball(&offset, radius, 1e-7)
     }
 }
 

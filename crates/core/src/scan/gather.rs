@@ -7,7 +7,7 @@ use crate::num::bytes::{Put, Reader};
 use crate::{Interrupt, poll};
 
 /// Rows of one state: they are in memory, about 60 bytes each.
-pub const MAX_ROWS: usize = 20_000_000;
+pub const MAX_ROWS: usize = 10_000_000;
 
 const TY: &str = "the state of ab_scan_agg";
 
@@ -120,8 +120,8 @@ impl Gathered {
     pub fn patches(&self, interrupt: Interrupt) -> Result<Vec<Patch>> {
         let origins = self.origins();
         let tiles = match origins {
-            Origins::One => tiles(&self.content.beams),
-            _ => clusters(&(0..self.content.len()).map(|i| self.content.end(i)).collect::<Vec<Vec3>>()),
+            Origins::One => tiles(&self.content.beams, interrupt)?,
+            _ => clusters(&(0..self.content.len()).map(|i| self.content.end(i)).collect::<Vec<Vec3>>(), interrupt)?,
         };
         let pack = |tile: &Vec<u32>| {
             poll(interrupt)?;
@@ -129,7 +129,7 @@ impl Gathered {
             let step = match origins {
                 Origins::One => mean_step(&own.beams),
                 Origins::Each => angular_spacing(&own),
-                Origins::Unknown => spacing(&own.beams.iter().map(|b| b.offset).collect::<Vec<Vec3>>()),
+                Origins::Unknown => spacing(own.beams.iter().map(|b| &b.offset)),
             };
             let (station, origin, quantum) = (self.station, self.reference, Patch::QUANTUM_M);
             Patch::pack(&Setting { origins, station, origin, step, quantum }, &own)

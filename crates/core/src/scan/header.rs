@@ -26,7 +26,7 @@ pub enum Origins {
 
 /// Header of a patch: fixed size, readable alone.
 ///
-/// Byte layout, little-endian, version 1: version u8, `'P'` u8, flags u8, 0 u8, beams u32, returns u32, payload
+/// Byte layout, little-endian: version u8 (2 where a plane of version 2 is there, else 1), `'P'` u8, flags u8, 0 u8, beams u32, returns u32, payload
 /// length u32, payload checksum u32, half-angle f32, step f32, range min and max f32, (pad) u32, station i64,
 /// origin 3×f64, quantum f64, point box 6×f64, hull 6×f64, axis 3×f64.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,8 +60,8 @@ pub struct Header {
 }
 
 impl Header {
-    /// Layout version written by this release.
-    pub const VERSION: u8 = 1;
+    /// Newest layout version that this release reads and writes.
+    pub const VERSION: u8 = 2;
     /// Bytes of a header.
     pub const LEN: usize = 200;
     /// Some beams have no return.
@@ -74,7 +74,13 @@ impl Header {
     pub const FLAG_INTENSITY: u8 = 8;
     /// A plane of colours.
     pub const FLAG_COLOUR: u8 = 16;
+    /// Flags of version 1; the others make a patch one of version 2.
+    const FIRST_FLAGS: u8 = Self::FLAG_NO_RETURNS | Self::FLAG_NO_ORIGIN;
     const KNOWN_FLAGS: u8 = 31;
+
+    fn version(&self) -> u8 {
+        if self.flags & !Self::FIRST_FLAGS == 0 { 1 } else { 2 }
+    }
 
     /// Where the beams start.
     pub fn origins(&self) -> Origins {
@@ -93,20 +99,21 @@ impl Header {
 
     /// Whether two headers say the same, but for rounding in the last digits of what is computed.
     pub(super) fn agrees_with(&self, o: &Self) -> bool {
-        let near = |a: f64, b: f64| (a - b).abs() <= 1e-6 * (1.0 + b.abs() * 1e-3);
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 + 4.0 * f64::EPSILON * b.abs();
+        let near_f32 = |a: f64, b: f64| (a - b).abs() <= 2.0 * f64::from(f32::EPSILON) * b.abs();
         let boxes = [(&self.points, &o.points), (&self.hull, &o.hull)];
         let same_boxes =
             boxes.iter().all(|(a, b)| (0..3).all(|i| near(a.min[i], b.min[i]) && near(a.max[i], b.max[i])));
         let exact = |h: &Self| (h.flags, h.beams, h.returns, h.payload_len, h.checksum, h.station);
         exact(self) == exact(o)
             && same_boxes
-            && (0..2).all(|i| near(f64::from(self.range[i]), f64::from(o.range[i])))
-            && (self.cone.axis - o.cone.axis).norm() <= 1e-6
-            && near(self.cone.half_angle, o.cone.half_angle)
+            && (0..2).all(|i| near_f32(f64::from(self.range[i]), f64::from(o.range[i])))
+            && (self.cone.axis - o.cone.axis).norm() <= 1e-9
+            && near_f32(self.cone.half_angle, o.cone.half_angle)
     }
 
     pub(super) fn write(&self, out: &mut Vec<u8>) {
-        out.put(&[Self::VERSION, b'P', self.flags, 0]);
+        out.put(&[self.version(), b'P', self.flags, 0]);
         [self.beams, self.returns, self.payload_len, self.checksum].iter().for_each(|&v| out.put_u32(v));
         out.put_f32(self.cone.half_angle as f32);
         out.put_f32(self.step);
@@ -133,7 +140,8 @@ impl Header {
         }
         let flags = r.u8()?;
         let origins = Self::FLAG_NO_ORIGIN | Self::FLAG_ORIGIN_EACH;
-        if flags & !Self::KNOWN_FLAGS != 0 || flags & origins == origins {
+        let known = if version == 1 { Self::FIRST_FLAGS } else { Self::KNOWN_FLAGS };
+        if flags & !known != 0 || flags & origins == origins {
             return Err(r.bad(format!("flags {flags:#04x}")));
         }
         r.u8()?;

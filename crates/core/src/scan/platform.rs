@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::encode::describe;
 use super::{Beam, Content, Header, Origins, Setting, tiles};
+use crate::NEVER;
 use crate::error::Result;
 
 /// Cuts beams that start at many places into groups of one origin and one cone, each with a header of its own; mostly
@@ -21,7 +22,7 @@ pub fn by_origin(header: &Header, content: &Content) -> Result<Vec<(Header, Vec<
         let origin = header.origin + content.start(group[0] as usize);
         let setting = Setting { origins: Origins::One, origin, ..header.setting() };
         let beams: Vec<Beam> = group.iter().map(|&i| content.beams[i as usize]).collect();
-        for tile in tiles(&beams) {
+        for tile in tiles(&beams, NEVER)? {
             let own: Vec<Beam> = tile.iter().map(|&i| beams[i as usize]).collect();
             let no_returns = if own.iter().all(|b| b.returned) { 0 } else { Header::FLAG_NO_RETURNS };
             let content = Content::of(own);

@@ -2,6 +2,7 @@
 
 use super::{Beam, Cone};
 use crate::geometry::Vec3;
+use crate::{Interrupt, Result, poll, poll_now_and_then};
 
 /// Most beams of a tile.
 pub const MAX_BEAMS: usize = 4096;
@@ -13,18 +14,19 @@ const MAX_EXTENT: f64 = 1.0;
 ///
 /// Directions are laid on the faces of a cube (no pole, unlike azimuth and elevation), then each face is halved
 /// across its longer side into equal counts until the tiles are small.
-pub fn tiles(beams: &[Beam]) -> Vec<Vec<u32>> {
+pub fn tiles(beams: &[Beam], interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
     let mut faces: [Vec<Place>; 6] = Default::default();
     for (i, b) in beams.iter().enumerate() {
+        poll_now_and_then(i, interrupt)?;
         if let Some((face, uv)) = cube_map(&b.offset) {
             faces[face].push(Place { uv, beam: i as u32 });
         }
     }
     let mut out = Vec::new();
     for face in &mut faces {
-        split(face, &mut out);
+        split(face, &mut out, interrupt)?;
     }
-    out
+    Ok(out)
 }
 
 /// Angle between neighbouring beams, radians, when the scanner does not tell: the square root of the solid angle
@@ -68,9 +70,10 @@ fn cube_map(v: &Vec3) -> Option<(usize, [f64; 2])> {
     Some((face, [v[(axis + 1) % 3] / top, v[(axis + 2) % 3] / top]))
 }
 
-fn split(places: &mut [Place], out: &mut Vec<Vec<u32>>) {
+fn split(places: &mut [Place], out: &mut Vec<Vec<u32>>, interrupt: Interrupt) -> Result<()> {
+    poll(interrupt)?;
     if places.is_empty() {
-        return;
+        return Ok(());
     }
     let side = |k: usize| {
         let (lo, hi) =
@@ -82,7 +85,7 @@ fn split(places: &mut [Place], out: &mut Vec<Vec<u32>>) {
         let mut tile: Vec<u32> = places.iter().map(|p| p.beam).collect();
         tile.sort_unstable();
         out.push(tile);
-        return;
+        return Ok(());
     }
     let k = usize::from(extent[1] > extent[0]);
     // Share out whole tiles, so that the last ones are not half empty.
@@ -90,13 +93,14 @@ fn split(places: &mut [Place], out: &mut Vec<Vec<u32>>) {
     let middle = (places.len() * (tiles / 2) / tiles).clamp(1, places.len() - 1);
     places.select_nth_unstable_by(middle, |a, b| a.uv[k].total_cmp(&b.uv[k]).then(a.beam.cmp(&b.beam)));
     let (low, high) = places.split_at_mut(middle);
-    split(low, out);
-    split(high, out);
+    split(low, out, interrupt)?;
+    split(high, out, interrupt)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::NEVER;
 
     #[test]
     fn a_full_sphere_is_cut_into_narrow_full_tiles() {
@@ -107,7 +111,7 @@ mod tests {
                 Beam { offset: Vec3::new(el.cos() * az.cos(), el.cos() * az.sin(), el.sin()) * 5.0, returned: true }
             })
             .collect();
-        let tiles = tiles(&beams);
+        let tiles = tiles(&beams, NEVER).unwrap();
         let mut seen = vec![0; beams.len()];
         for tile in &tiles {
             assert!(tile.len() <= MAX_BEAMS && tile.is_sorted());
@@ -138,10 +142,10 @@ mod tests {
     #[test]
     fn degenerate_scans() {
         let beam = |v: Vec3| Beam { offset: v, returned: true };
-        assert!(tiles(&[]).is_empty());
-        assert!(tiles(&[beam(Vec3::zeros())]).is_empty());
+        assert!(tiles(&[], NEVER).unwrap().is_empty());
+        assert!(tiles(&[beam(Vec3::zeros())], NEVER).unwrap().is_empty());
         let same = vec![beam(Vec3::x()); 10_000];
-        assert_eq!(tiles(&same).iter().map(Vec::len).sum::<usize>(), 10_000);
-        assert_eq!(tiles(&[beam(Vec3::x()), beam(-Vec3::x())]).len(), 2);
+        assert_eq!(tiles(&same, NEVER).unwrap().iter().map(Vec::len).sum::<usize>(), 10_000);
+        assert_eq!(tiles(&[beam(Vec3::x()), beam(-Vec3::x())], NEVER).unwrap().len(), 2);
     }
 }

@@ -61,7 +61,12 @@ impl Station {
 
     /// Order of stations in a value: by number, then by place.
     pub(super) fn key(&self) -> (i64, [u64; 3]) {
-        (self.id, self.place.to_vec3().map(f64::to_bits).into())
+        let place = match self.place {
+            Place::At(origin) => origin.map(f64::to_bits).into(),
+            Place::Many => [u64::MAX - 1; 3],
+            Place::Unknown => [u64::MAX; 3],
+        };
+        (self.id, place)
     }
 
     fn add(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {

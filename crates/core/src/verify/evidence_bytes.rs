@@ -17,8 +17,8 @@ use crate::{Interrupt, poll_now_and_then};
 const TY: &str = "ab_evidence";
 
 impl Evidence {
-    /// Layout version written by this release.
-    pub const VERSION: u8 = 1;
+    /// Newest layout version that this release reads; it writes 2 where a moving platform spoke, else 1.
+    pub const VERSION: u8 = 2;
     /// Bytes that suffice for [`Evidence::header`].
     pub const HEADER_LEN: usize = 24 + 72 + EvidenceModel::LEN;
 
@@ -26,7 +26,8 @@ impl Evidence {
     pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
         let s = &self.samples;
         let mut out = Vec::with_capacity(Self::HEADER_LEN + 12 * s.len() * (1 + self.stations.len()));
-        out.put(&[Self::VERSION, b'E', u8::from(s.two_sided), 0]);
+        let version = if self.stations.iter().any(|s| s.place == Place::Many) { 2 } else { 1 };
+        out.put(&[version, b'E', u8::from(s.two_sided), 0]);
         out.put_u32(self.fingerprint);
         for n in [s.normals.len(), s.blocks.len(), s.len(), self.stations.len()] {
             out.put_u32(n as u32);

@@ -1,0 +1,100 @@
+//! Eight by eight by eight voxels.
+
+/// Voxels along an edge of a block.
+pub const EDGE: i64 = 8;
+
+/// What is known of a voxel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum State {
+    /// At least as many returns as the threshold.
+    Occupied,
+    /// The same, but beams passed through as well: grazed surfaces, voxels that a surface shares with space before it.
+    Ambiguous,
+    /// Beams passed through, and too few returned.
+    Empty,
+    /// Nobody looked.
+    Unknown,
+}
+
+impl State {
+    /// Whether something is there.
+    pub fn is_occupied(self) -> bool {
+        matches!(self, Self::Occupied | Self::Ambiguous)
+    }
+}
+
+/// Returns and traversals of the voxels of a block. A voxel is bit x of byte y of word z, and counts are in that order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Block {
+    /// Voxels that a beam passed through.
+    pub traversed: [u64; 8],
+    /// Returns in each voxel, as many as 255; `None` where there is none.
+    pub hits: Option<Box<[u8; 512]>>,
+}
+
+impl Block {
+    /// Number of a voxel in its block.
+    pub fn slot(voxel: [i64; 3]) -> usize {
+        let [x, y, z] = voxel.map(|i| i.rem_euclid(EDGE) as usize);
+        (z * 8 + y) * 8 + x
+    }
+
+    /// Adds a return.
+    pub fn hit(&mut self, slot: usize) {
+        let count = &mut self.hits.get_or_insert_with(|| Box::new([0; 512]))[slot];
+        *count = count.saturating_add(1);
+    }
+
+    /// Notes that a beam passed through.
+    pub fn traverse(&mut self, slot: usize) {
+        self.traversed[slot / 64] |= 1 << (slot % 64);
+    }
+
+    /// Returns in a voxel.
+    pub fn count(&self, slot: usize) -> u8 {
+        self.hits.as_ref().map_or(0, |h| h[slot])
+    }
+
+    /// State of a voxel: occupied from `threshold` returns on.
+    pub fn state(&self, slot: usize, threshold: u8) -> State {
+        let traversed = self.traversed[slot / 64] >> (slot % 64) & 1 == 1;
+        match (self.count(slot) >= threshold.max(1), traversed) {
+            (true, false) => State::Occupied,
+            (true, true) => State::Ambiguous,
+            (false, true) => State::Empty,
+            (false, false) => State::Unknown,
+        }
+    }
+
+    /// Adds what another knows of the same place.
+    pub fn add(&mut self, other: &Self) {
+        self.traversed.iter_mut().zip(&other.traversed).for_each(|(a, b)| *a |= b);
+        if let Some(theirs) = &other.hits {
+            let mine = self.hits.get_or_insert_with(|| Box::new([0; 512]));
+            mine.iter_mut().zip(theirs.iter()).for_each(|(a, b)| *a = a.saturating_add(*b));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn states_follow_the_threshold() {
+        let mut b = Block::default();
+        let slot = Block::slot([-1, 9, 3]);
+        assert_eq!(slot, (3 * 8 + 1) * 8 + 7);
+        assert_eq!(b.state(slot, 1), State::Unknown);
+        b.hit(slot);
+        b.hit(slot);
+        assert_eq!((b.state(slot, 2), b.state(slot, 3)), (State::Occupied, State::Unknown));
+        b.traverse(slot);
+        assert_eq!((b.state(slot, 2), b.state(slot, 3)), (State::Ambiguous, State::Empty));
+        (0..300).for_each(|_| b.hit(slot));
+        assert_eq!(b.count(slot), 255);
+        let mut sum = b.clone();
+        sum.add(&b);
+        assert_eq!(sum, b);
+    }
+}

@@ -1,0 +1,116 @@
+//! Beams of patches become occupancy.
+
+use super::march::march;
+use super::occupancy::Occupancy;
+use super::slab::{Base, Ray, carve_bundle};
+use crate::geometry::Vec3;
+use crate::scan::{Beam, Content, Header, Origins, Patch};
+use crate::{Interrupt, Result, poll, poll_now_and_then};
+
+/// Beams that lean at most so far from an axis of the lattice (cosine) are carved together along it.
+const LEAST_COS: f64 = 0.5;
+/// A beam stops this far before the voxel of its return, in voxels, lest rounding lets it into it.
+const BEFORE: f64 = 1e-9;
+
+impl Occupancy {
+    /// Whether a patch can say anything of the tile, by its header alone.
+    pub fn concerns(&self, header: &Header) -> bool {
+        header.hull.overlaps(&self.grid.tile.expanded(self.grid.voxel))
+    }
+
+    /// Adds what a packed patch says: returns are counted, and what the beams pass on their way is empty.
+    pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
+        let header = Header::read(patch)?;
+        if !self.concerns(&header) {
+            return Ok(());
+        }
+        let (header, content) = Patch::beams_of(patch)?;
+        self.count_returns(&header, &content)?;
+        if header.origins() != Origins::Unknown {
+            let base = Base::at(self.grid.index(&header.origin)?);
+            let rays = self.rays(&header, &content, &base)?;
+            self.carve(rays, &base, interrupt)?;
+        }
+        Ok(())
+    }
+
+    fn count_returns(&mut self, header: &Header, content: &Content) -> Result<()> {
+        for i in (0..content.len()).filter(|&i| content.beams[i].returned) {
+            let voxel = self.grid.index(&(header.origin + content.end(i)))?;
+            if self.grid.holds(voxel) {
+                self.hit(voxel);
+            }
+        }
+        Ok(())
+    }
+
+    /// The ways that say "empty", clipped to the tile.
+    fn rays(&self, header: &Header, content: &Content, base: &Base) -> Result<Vec<Ray>> {
+        let tile = [0, 1, 2].map(|axis| self.grid.span(axis).map(|i| (i - base.0[axis]) as f64));
+        let mut out = Vec::with_capacity(content.len());
+        for (i, beam) in content.beams.iter().enumerate() {
+            let start = base.local(&self.grid, &(header.origin + content.start(i)));
+            let Some(way) = self.way(header, content, i, beam, &start, base)? else { continue };
+            out.extend(Ray { start, stop: start + way }.clipped(&tile));
+        }
+        Ok(out)
+    }
+
+    /// From a beam's start to where it stops saying "empty", in voxels.
+    fn way(
+        &self,
+        header: &Header,
+        content: &Content,
+        i: usize,
+        beam: &Beam,
+        start: &Vec3,
+        base: &Base,
+    ) -> Result<Option<Vec3>> {
+        let range = beam.offset.norm();
+        if range <= 0.0 {
+            return Ok(None);
+        }
+        if !beam.returned {
+            let far = self.grid.no_return_range / (range * self.grid.voxel);
+            return Ok((far > 0.0).then_some(beam.offset * far));
+        }
+        let end = self.grid.index(&(header.origin + content.end(i)))?;
+        let way = beam.offset / self.grid.voxel;
+        // The beam enters the voxel of its return where it has crossed the last of the three faces towards it.
+        let enters = |axis: usize| {
+            let low = (end[axis] - base.0[axis]) as f64;
+            let face = if way[axis] > 0.0 { low } else { low + 1.0 };
+            if way[axis] == 0.0 { 0.0 } else { (face - start[axis]) / way[axis] }
+        };
+        let enter = enters(0).max(enters(1)).max(enters(2)) - BEFORE / way.norm();
+        let part = enter.min(1.0 - self.grid.margin / range);
+        Ok((part > 0.0).then_some(way * part))
+    }
+
+    fn carve(&mut self, rays: Vec<Ray>, base: &Base, interrupt: Interrupt) -> Result<()> {
+        let sum: Vec3 = rays.iter().map(|r| (r.stop - r.start).normalize()).sum();
+        let (axis, sign) = (sum.iamax(), sum[sum.iamax()].signum());
+        let along = |r: &Ray| {
+            let way = r.stop - r.start;
+            sign * way[axis] >= LEAST_COS * way.norm()
+        };
+        let (bundle, strays): (Vec<Ray>, Vec<Ray>) = rays.into_iter().partition(along);
+        poll(interrupt)?;
+        carve_bundle(self, &bundle, axis, sign, base, interrupt)?;
+        for (round, ray) in strays.iter().enumerate() {
+            poll_now_and_then(round, interrupt)?;
+            self.carve_alone(ray, base);
+        }
+        Ok(())
+    }
+
+    /// One ray, voxel by voxel.
+    pub(super) fn carve_alone(&mut self, ray: &Ray, base: &Base) {
+        march(&ray.start, &ray.stop, |local| {
+            let voxel = base.world(local);
+            if self.grid.holds(voxel) {
+                self.traverse(voxel);
+            }
+        });
+    }
+}

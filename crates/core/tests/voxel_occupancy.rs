@@ -1,0 +1,174 @@
+//! Occupancy against brute force: every voxel against every beam, by clipping, sharing no code with the carver.
+
+use asbuilt_core::NEVER;
+use asbuilt_core::geometry::{Aabb, Vec3};
+use asbuilt_core::scan::{Beam, Content, Origins, Patch, Setting};
+use asbuilt_core::voxel::{Grid, Occupancy, State};
+use proptest::prelude::*;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+const VOXEL: f64 = 0.1;
+
+/// Part of a segment inside a box, as a length; negative where it passes by.
+fn length_inside(start: &Vec3, end: &Vec3, b: &Aabb) -> f64 {
+    let (mut from, mut to) = (0.0f64, 1.0f64);
+    for axis in 0..3 {
+        let (s, d) = (start[axis], end[axis] - start[axis]);
+        if d == 0.0 {
+            if s < b.min[axis] || s > b.max[axis] {
+                return -1.0;
+            }
+            continue;
+        }
+        let (p, q) = ((b.min[axis] - s) / d, (b.max[axis] - s) / d);
+        from = from.max(p.min(q));
+        to = to.min(p.max(q));
+    }
+    (to - from) * (end - start).norm()
+}
+
+/// Patches of a scene around `centre`: fans of a tripod in every direction, and a moving platform.
+fn scene(seed: u64, centre: Vec3, patches: usize) -> Vec<Vec<u8>> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let mut out = Vec::new();
+    for k in 0..patches {
+        let around = |rng: &mut ChaCha8Rng, by: f64| Vec3::from_fn(|_, _| rng.random_range(-by..by));
+        let origin = centre + around(&mut rng, 0.8);
+        let axis = around(&mut rng, 1.0).normalize();
+        let beam = |rng: &mut ChaCha8Rng| {
+            let direction = (axis + around(rng, 0.4)).normalize();
+            Beam { offset: direction * rng.random_range(0.05..2.5), returned: rng.random_bool(0.9) }
+        };
+        let beams: Vec<Beam> = (0..60).map(|_| beam(&mut rng)).collect();
+        let moving = k % 4 == 3;
+        let starts = moving.then(|| (0..beams.len()).map(|_| around(&mut rng, 0.5)).collect());
+        let origins = if moving { Origins::Each } else { Origins::One };
+        let setting = Setting { origins, station: 1, origin, step: 0.01, quantum: Patch::QUANTUM_M };
+        out.push(Patch::pack(&setting, &Content { starts, ..Content::of(beams) }).unwrap().to_bytes());
+    }
+    out
+}
+
+fn occupied(grid: Grid, patches: &[Vec<u8>]) -> Occupancy {
+    let mut o = Occupancy::new(grid);
+    patches.iter().for_each(|p| o.absorb(p, NEVER).unwrap());
+    o
+}
+
+/// What brute force says of a voxel: returns in it, and the longest way of a beam through it.
+fn brute(grid: &Grid, patches: &[(Vec3, Content)], voxel: [i64; 3]) -> (u32, f64) {
+    let low = Vec3::from(voxel.map(|i| i as f64 * grid.voxel));
+    let own = Aabb { min: low.into(), max: (low + Vec3::repeat(grid.voxel)).into() };
+    let (mut hits, mut longest) = (0, -1.0f64);
+    for (origin, content) in patches {
+        for (i, beam) in content.beams.iter().enumerate() {
+            let (start, end) = (origin + content.start(i), origin + content.end(i));
+            let range = beam.offset.norm();
+            let stop = if beam.returned {
+                if end.map(|c| (c / grid.voxel).floor()) == low.map(|c| (c / grid.voxel).round()) {
+                    hits += 1;
+                    continue;
+                }
+                // Behind the voxel of the return nothing is said, nor within the margin before it.
+                let last = end.map(|c| (c / grid.voxel).floor() * grid.voxel);
+                let last = Aabb { min: last.into(), max: (last + Vec3::repeat(grid.voxel)).into() };
+                let own_part = length_inside(&start, &end, &last).max(0.0);
+                (range - own_part).min(range - grid.margin).max(0.0)
+            } else {
+                grid.no_return_range
+            };
+            longest = longest.max(length_inside(&start, &(start + beam.offset * (stop / range)), &own));
+        }
+    }
+    (hits, longest)
+}
+
+fn agrees(grid: Grid, patches: &[Vec<u8>], region: Aabb) -> (usize, usize, usize) {
+    let o = occupied(grid, patches);
+    let unpacked: Vec<(Vec3, Content)> = patches
+        .iter()
+        .map(|p| {
+            let (h, c) = Patch::content_of(p).unwrap();
+            (h.origin, c)
+        })
+        .collect();
+    let [low, high] = [region.min, region.max].map(|c| c.map(|x| (x / grid.voxel).floor() as i64));
+    let (mut full, mut empty, mut unknown) = (0, 0, 0);
+    for x in low[0]..=high[0] {
+        for y in low[1]..=high[1] {
+            for z in low[2]..=high[2] {
+                let voxel = [x, y, z];
+                let (hits, longest) = brute(&grid, &unpacked, voxel);
+                let state = o.state(voxel, 2);
+                if !grid.holds(voxel) {
+                    assert_eq!(state, State::Unknown);
+                    continue;
+                }
+                // Ways shorter than a millionth of a voxel may go either way: rounding at a coordinate of 6 000 000.
+                let sure = longest > 1e-6 * grid.voxel;
+                let possible = longest > -1e-6 * grid.voxel;
+                let told = matches!(state, State::Empty | State::Ambiguous);
+                assert_eq!(state.is_occupied(), hits >= 2, "{voxel:?}: {hits} returns, {state:?}");
+                assert!(!sure || told, "{voxel:?} is missed, {longest}");
+                assert!(possible || !told, "{voxel:?} is no beam's way");
+                full += usize::from(hits >= 2);
+                empty += usize::from(told);
+                unknown += usize::from(state == State::Unknown);
+            }
+        }
+    }
+    (full, empty, unknown)
+}
+
+#[test]
+fn states_are_those_of_brute_force() {
+    for (seed, centre) in
+        [(1, Vec3::zeros()), (2, Vec3::new(600_000.3, 5_300_000.7, -12.0)), (3, Vec3::new(-6e6, 6e6, 0.0))]
+    {
+        let region = Aabb { min: centre.into(), max: centre.into() }.expanded(1.6);
+        let tile = Aabb { min: centre.into(), max: centre.into() }.expanded(1.25);
+        for (tile, margin) in [(tile, 0.0), (Grid::EVERYWHERE, 0.15)] {
+            let grid = Grid::new(VOXEL, tile, margin, 2.0).unwrap();
+            let patches = scene(seed, centre, 8);
+            let (full, empty, unknown) = agrees(grid, &patches, region);
+            assert!(full > 5 && empty > 1000 && unknown > 1000, "{full} {empty} {unknown}");
+        }
+    }
+}
+
+#[test]
+fn order_and_parts_do_not_matter() {
+    let grid = Grid::new(0.05, Aabb { min: [-1.5; 3], max: [1.5; 3] }, 0.02, 2.0).unwrap();
+    let mut patches = scene(4, Vec3::zeros(), 12);
+    let whole = occupied(grid, &patches);
+    let (a, b) = patches.split_at(5);
+    let mut merged = occupied(grid, b);
+    merged.merge(&occupied(grid, a), NEVER).unwrap();
+    assert_eq!(merged, whole);
+    patches.reverse();
+    assert_eq!(occupied(grid, &patches), whole);
+    let other = Grid::new(0.04, grid.tile, 0.02, 2.0).unwrap();
+    assert!(merged.merge(&Occupancy::new(other), NEVER).is_err());
+}
+
+proptest! {
+    /// Axis-parallel and diagonal beams, ends on borders of voxels: no panic, and the way to a return is empty.
+    #[test]
+    fn beams_on_borders(ends in prop::collection::vec(prop::array::uniform3(-6i8..7), 1..40), voxel in prop::sample::select(vec![0.1, 0.25, 0.5])) {
+        let offset = |e: &[i8; 3]| Vec3::from(e.map(|c| f64::from(c) * 0.25));
+        let grid = Grid::new(voxel, Grid::EVERYWHERE, 0.0, 1.0).unwrap();
+        for end in ends.iter().map(offset).filter(|v| v.norm() > 0.0) {
+            let beam = Beam { offset: end, returned: true };
+            let patch = Patch::encode(0, Vec3::new(1.0, -2.0, 0.5), 0.01, 1e-4, &[beam]).unwrap();
+            let o = occupied(grid, &[patch.to_bytes()]);
+            let mut hits = 0u32;
+            o.for_each(1, NEVER, |_, state, count| hits += u32::from(count) * u32::from(state.is_occupied())).unwrap();
+            prop_assert_eq!(hits, 1);
+            let middle = grid.index(&(Vec3::new(1.0, -2.0, 0.5) + end * 0.31)).unwrap();
+            let last = grid.index(&(Vec3::new(1.0, -2.0, 0.5) + end)).unwrap();
+            let on_border = (0..3).any(|k| ((1.0 - 3.0 * f64::from(u8::from(k == 1)) - 0.5 * f64::from(u8::from(k == 2)) + end[k] * 0.31) / voxel).fract().abs() < 1e-6);
+            prop_assert!(middle == last || on_border || o.state(middle, 1) == State::Empty, "{:?} {:?}", end, o.state(middle, 1));
+        }
+    }
+}
