@@ -2,6 +2,7 @@
 # Measure size and speed on simulated scans (and on ../shared/data/hall where it is there). Prints a table in Markdown
 # for docs/BENCHMARK.md, the parts in scripts/bench (or those of PARTS). Medians of three runs on a private cluster; nothing else should run on the machine.
 set -euo pipefail
+shopt -s inherit_errexit
 cd "$(dirname "$0")/.."
 scripts/install.sh >/dev/null
 asbuilt=$PWD/target/release/asbuilt
@@ -15,16 +16,19 @@ data=target/bench
 mkdir -p $data
 
 now() { date +%s.%N; }
-# Median of three timings of a command, seconds.
+# Median of three timings of a command, seconds; a command that fails ends the bench with what it said.
 timed() {
   for _ in 1 2 3; do
     local start
     start=$(now)
-    "$@" >/dev/null 2>&1
+    "$@" >/dev/null 2>"$data/said" || {
+      echo "bench: $* failed: $(cat "$data/said")" >&2
+      return 1
+    }
     echo "$(now) $start" | awk '{printf "%.2f\n", $1 - $2}'
   done | sort -n | sed -n 2p
 }
-ask() { psql -XAtq -c "$1"; }
+ask() { psql -XAtq -v ON_ERROR_STOP=1 -c "$1"; }
 row() { echo "| $1 | $2 |"; }
 
 [ -e $data/10m.e57 ] || "$asbuilt" simulate demo/pavilion.ifc --stations demo/stations.txt --built demo/changes.json --step-mrad 2.55 --out $data/10m.e57

@@ -16,7 +16,10 @@ if ! cargo pgrx install --release $sudo --pg-config "$PG_CONFIG" --no-default-fe
 fi
 # The bridges are SQL alone; so are the scripts of earlier releases, which cargo pgrx leaves behind.
 extensions=$("$PG_CONFIG" --sharedir)/extension
-${sudo:+sudo} install -m 644 postgis/asbuilt_postgis* pointcloud/asbuilt_pointcloud* sql/asbuilt--*.sql "$extensions"
+current=$(sed -n '/^version/{s/.*"\(.*\)"/\1/p;q}' Cargo.toml)
+earlier=$(find sql -maxdepth 1 -name 'asbuilt--*.sql' ! -name "asbuilt--$current.sql")
+# shellcheck disable=SC2086  # a list of files
+${sudo:+sudo} install -m 644 postgis/asbuilt_postgis* pointcloud/asbuilt_pointcloud* $earlier "$extensions"
 echo "install: building the program asbuilt"
 cargo build --release --quiet -p asbuilt-cli
 echo "install: done; in psql: CREATE EXTENSION asbuilt; the program is target/release/asbuilt"

@@ -27,5 +27,8 @@ echo "test: IFC geometry against IfcOpenShell"
 scripts/ifc_oracle.sh
 
 [ -d ../shared/data ] || echo "SKIPPED: ../shared/data is not there; the hall, the real room and the files of others are not tested"
+for other in postgis pointcloud; do
+  [ -e "$("$PG_CONFIG" --sharedir)/extension/$other.control" ] || echo "SKIPPED: $other is not installed in this PostgreSQL; its bridge is not tested"
+done
 echo "test: clients"
 ASBUILT=$PWD/target/release/asbuilt PG_BINDIR=$("$PG_CONFIG" --bindir) cargo test --release -p asbuilt-client-tests -- --test-threads=2

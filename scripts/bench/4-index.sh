@@ -10,7 +10,11 @@ row "ANALYZE of 1 M patches" "$(timed ask "ANALYZE project_patch") s"
 ask "VACUUM ANALYZE project_patch"
 ask "ANALYZE project_object"
 join="SELECT o.id, count(*) FROM project_object o JOIN project_patch p ON p.patch && o.solid GROUP BY o.id"
-measured() { psql -XAtqc "EXPLAIN (ANALYZE, BUFFERS, TIMING OFF) $1" | awk '/Buffers: shared/ && !b {b = $0; sub(/.*hit=/, "", b); sub(/ .*/, "", b)} /Execution Time/ {print $3 " ms, " b " buffers"}'; }
+measured() { # query: its time, and the buffers hit and read
+  psql -XAtqc "EXPLAIN (ANALYZE, BUFFERS, TIMING OFF) $1" | awk '
+    /Buffers: shared/ && !found { found = 1; for (i = 1; i <= NF; i++) if ($i ~ /(hit|read)=/) { split($i, part, "="); buffers += part[2] } }
+    /Execution Time/ { print $3 " ms, " buffers " buffers" }'
+}
 psql -Xqc "$join" >/dev/null
 row "1 M patches x 20 000 objects by &&: $(ask "SELECT sum(n) FROM (SELECT count(*) AS n FROM project_object o JOIN project_patch p ON p.patch && o.solid) x") pairs, plan of PostgreSQL's own choice" "$(measured "$join")"
 row "the same on one core" "$(psql -XAtqc "SET max_parallel_workers_per_gather = 0" -c "EXPLAIN (ANALYZE, TIMING OFF) $join" | awk '/Execution Time/ {print $3 " ms"}')"

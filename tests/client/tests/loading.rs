@@ -59,6 +59,7 @@ fn las_and_laz() {
     for (ending, compressed) in [("las", false), ("laz", true)] {
         let file = scratch(&format!("points.{ending}"));
         let mut builder = las::Builder::from((1, 2));
+        builder.point_format = las::point::Format::new(2).unwrap();
         builder.point_format.is_compressed = compressed;
         builder.transforms = las::Vector {
             x: las::Transform { scale: 1e-4, offset: 6e5 },
@@ -67,7 +68,14 @@ fn las_and_laz() {
         };
         let mut writer = las::Writer::from_path(&file, builder.into_header().unwrap()).unwrap();
         for i in 0..5000 {
-            let point = las::Point { x: 600_005.0, y: 5_300_000.0 + f64::from(i) * 1e-3, z: 1.5, ..Default::default() };
+            let point = las::Point {
+                x: 600_005.0,
+                y: 5_300_000.0 + f64::from(i) * 1e-3,
+                z: 1.5,
+                intensity: i as u16,
+                color: Some(las::Color::new(i as u16 % 256 * 256, 7 * 256, 0)),
+                ..Default::default()
+            };
             writer.write_point(point).unwrap();
         }
         writer.close().unwrap();
@@ -76,6 +84,18 @@ fn las_and_laz() {
         let row = client.query_one("SELECT sum(ab_count(patch))::bigint, min((ab_min(ab_point_box(patch)))[2]) FROM scan s JOIN station t ON t.id = station_id WHERE source LIKE $1", &[&format!("%.{ending}")]).unwrap();
         assert_eq!(row.get::<_, i64>(0), 5000, "{ending}");
         assert!((row.get::<_, f64>(1) - 5_300_000.0).abs() < 6e-5);
+        let planes = "SELECT count(intensity), count(colour) FROM scan, ab_beams(patch)";
+        let kept = |client: &mut postgres::Client, sql: &str| {
+            let row = client.query_one(sql, &[]).unwrap();
+            (row.get::<_, i64>(0), row.get::<_, i64>(1))
+        };
+        assert_eq!(kept(&mut client, planes), (0, 0), "planes are kept when asked for");
+        db.asbuilt(&["load", text(&file), "--origin", "600000,5300000,1.5", "--intensity", "--colour"]);
+        let right = format!(
+            "{planes} WHERE intensity = round((point[2] - 5300000) * 1000) AND colour = ARRAY[intensity % 256, 7, 0]"
+        );
+        assert_eq!(kept(&mut client, &right), (5000, 5000));
+        db.asbuilt(&["load", text(&file), "--origin", "600000,5300000,1.5"]);
         // Cut short it is refused, and what was there stays.
         let bytes = fs::read(&file).unwrap();
         fs::write(&file, &bytes[..bytes.len() / 2]).unwrap();
