@@ -27,8 +27,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     let mut reader = Reader::with_options(file, parallel).context("not a readable LAS file")?;
     let t = *reader.header().transforms();
     let mut data = PointDataBuilder::new().for_header(reader.header()).build();
-    let mut content = Content::default();
-    content.intensity = options.intensity.then(Vec::new);
+    let mut content = Content { intensity: options.intensity.then(Vec::new), ..Content::default() };
     let mut colours = Vec::new();
     while (content.len() as u64) < count {
         let got = reader.fill_points(AT_ONCE, &mut data).context("its points are damaged")?;
