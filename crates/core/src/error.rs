@@ -136,6 +136,9 @@ impl Error {
             Self::Limit { what, .. } if what.contains("offset") => {
                 "Use a coarser quantum, or give coordinates nearer the scanner.".into()
             }
+            Self::Limit { what, .. } if what.contains("voxel grid") => {
+                "Give the grid a tile, and aggregate tile by tile; or use larger voxels.".into()
+            }
             Self::Limit { what, .. } if what.contains("union") => {
                 "Join fewer patches; ab_retile(patches) cuts many into tiles of neighbours.".into()
             }

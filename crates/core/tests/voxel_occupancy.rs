@@ -9,6 +9,7 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 const VOXEL: f64 = 0.1;
+const MOST_MEMORY: usize = 1 << 28;
 
 /// Part of a segment inside a box, as a length; negative where it passes by.
 fn length_inside(start: &Vec3, end: &Vec3, b: &Aabb) -> f64 {
@@ -52,7 +53,7 @@ fn scene(seed: u64, centre: Vec3, patches: usize) -> Vec<Vec<u8>> {
 
 fn occupied(grid: Grid, patches: &[Vec<u8>]) -> Occupancy {
     let mut o = Occupancy::new(grid);
-    patches.iter().for_each(|p| o.absorb(p, NEVER).unwrap());
+    patches.iter().for_each(|p| o.absorb(p, MOST_MEMORY, NEVER).unwrap());
     o
 }
 
@@ -150,6 +151,15 @@ fn order_and_parts_do_not_matter() {
     assert_eq!(occupied(grid, &patches), whole);
     let other = Grid::new(0.04, grid.tile, 0.02, 2.0).unwrap();
     assert!(merged.merge(&Occupancy::new(other), NEVER).is_err());
+}
+
+#[test]
+fn runaway_grids_stop() {
+    let patches = scene(5, Vec3::zeros(), 6);
+    let mut o = Occupancy::new(Grid::new(0.002, Grid::EVERYWHERE, 0.0, 30.0).unwrap());
+    let stopped = patches.iter().find_map(|p| o.absorb(p, 1 << 20, NEVER).err()).unwrap();
+    assert!(stopped.to_string().contains("memory") && stopped.hint().unwrap().contains("tile"), "{stopped}");
+    assert!(o.memory() < 2 << 20, "{}", o.memory());
 }
 
 proptest! {

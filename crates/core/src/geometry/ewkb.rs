@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::num::bytes::{Put, Reader};
 use crate::{Interrupt, poll_now_and_then};
 
-const TY: &str = "a surface in EWKB";
+const TY: &str = "geometry";
 const HAS_Z: u32 = 0x8000_0000;
 const HAS_M: u32 = 0x4000_0000;
 const HAS_SRID: u32 = 0x2000_0000;

@@ -5,7 +5,7 @@ use super::occupancy::Occupancy;
 use super::slab::{Base, Ray, carve_bundle};
 use crate::geometry::Vec3;
 use crate::scan::{Beam, Content, Header, Origins, Patch};
-use crate::{Interrupt, Result, poll, poll_now_and_then};
+use crate::{Interrupt, Result, poll};
 
 /// Beams that lean at most so far from an axis of the lattice (cosine) are carved together along it.
 const LEAST_COS: f64 = 0.5;
@@ -18,8 +18,9 @@ impl Occupancy {
         header.hull.overlaps(&self.grid.tile.expanded(self.grid.voxel))
     }
 
-    /// Adds what a packed patch says: returns are counted, and what the beams pass on their way is empty.
-    pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
+    /// Adds what a packed patch says: returns are counted, and what the beams pass on their way is empty. An error where
+    /// the whole would take more than about `most_memory` bytes.
+    pub fn absorb(&mut self, patch: &[u8], most_memory: usize, interrupt: Interrupt) -> Result<()> {
         let header = Header::read(patch)?;
         if !self.concerns(&header) {
             return Ok(());
@@ -29,9 +30,9 @@ impl Occupancy {
         if header.origins() != Origins::Unknown {
             let base = Base::at(self.grid.index(&header.origin)?);
             let rays = self.rays(&header, &content, &base)?;
-            self.carve(rays, &base, interrupt)?;
+            self.carve(rays, &base, most_memory, interrupt)?;
         }
-        Ok(())
+        self.check_memory(most_memory)
     }
 
     fn count_returns(&mut self, header: &Header, content: &Content) -> Result<()> {
@@ -87,7 +88,7 @@ impl Occupancy {
         Ok((part > 0.0).then_some(way * part))
     }
 
-    fn carve(&mut self, rays: Vec<Ray>, base: &Base, interrupt: Interrupt) -> Result<()> {
+    fn carve(&mut self, rays: Vec<Ray>, base: &Base, most_memory: usize, interrupt: Interrupt) -> Result<()> {
         let sum: Vec3 = rays.iter().map(|r| (r.stop - r.start).normalize()).sum();
         let (axis, sign) = (sum.iamax(), sum[sum.iamax()].signum());
         let along = |r: &Ray| {
@@ -95,10 +96,13 @@ impl Occupancy {
             sign * way[axis] >= LEAST_COS * way.norm()
         };
         let (bundle, strays): (Vec<Ray>, Vec<Ray>) = rays.into_iter().partition(along);
-        poll(interrupt)?;
-        carve_bundle(self, &bundle, axis, sign, base, interrupt)?;
-        for (round, ray) in strays.iter().enumerate() {
-            poll_now_and_then(round, interrupt)?;
+        let check = |o: &Self| {
+            poll(interrupt)?;
+            o.check_memory(most_memory)
+        };
+        carve_bundle(self, &bundle, axis, sign, base, &check)?;
+        for ray in &strays {
+            check(self)?;
             self.carve_alone(ray, base);
         }
         Ok(())

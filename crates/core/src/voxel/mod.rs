@@ -9,9 +9,11 @@ mod carve;
 mod grid;
 mod march;
 mod occupancy;
+mod occupancy_bytes;
 mod slab;
 
 pub use block::{Block, State};
 pub use grid::Grid;
 pub use march::march;
 pub use occupancy::Occupancy;
+pub use occupancy_bytes::OccupancyHeader;

@@ -16,12 +16,14 @@ const COUNTS_BYTES: usize = 528;
 pub struct Occupancy {
     pub(super) grid: Grid,
     pub(super) blocks: HashMap<[i32; 3], Block>,
+    /// Blocks with counts.
+    counted: usize,
 }
 
 impl Occupancy {
     /// Nothing is known.
     pub fn new(grid: Grid) -> Self {
-        Self { grid, blocks: HashMap::new() }
+        Self { grid, blocks: HashMap::new(), counted: 0 }
     }
 
     /// The lattice and the tile.
@@ -76,10 +78,11 @@ impl Occupancy {
         for (round, (key, theirs)) in other.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             match self.blocks.get_mut(key) {
-                Some(mine) => mine.add(theirs),
-                None => {
-                    self.blocks.insert(*key, theirs.clone());
+                Some(mine) => {
+                    self.counted += usize::from(mine.hits.is_none() && theirs.hits.is_some());
+                    mine.add(theirs);
                 }
+                None => self.insert(*key, theirs.clone()),
             }
         }
         Ok(())
@@ -87,12 +90,30 @@ impl Occupancy {
 
     /// Bytes in memory, about.
     pub fn memory(&self) -> usize {
-        let counted = self.blocks.values().filter(|b| b.hits.is_some()).count();
-        self.blocks.len() * BLOCK_BYTES + counted * COUNTS_BYTES
+        self.blocks.len() * BLOCK_BYTES + self.counted * COUNTS_BYTES
+    }
+
+    /// Fails where more than `most` bytes are in memory.
+    pub fn check_memory(&self, most: usize) -> Result<()> {
+        if self.memory() <= most {
+            return Ok(());
+        }
+        let mib = |bytes: usize| format!("{} MiB", bytes >> 20);
+        Err(Error::Limit { what: "the memory of a voxel grid", value: mib(self.memory()), limit: mib(most) })
+    }
+
+    /// Puts a block that is not there yet.
+    pub(super) fn insert(&mut self, key: [i32; 3], block: Block) {
+        self.counted += usize::from(block.hits.is_some());
+        if self.blocks.insert(key, block).is_some_and(|old| old.hits.is_some()) {
+            self.counted -= 1;
+        }
     }
 
     pub(super) fn hit(&mut self, voxel: [i64; 3]) {
-        self.blocks.entry(Self::block_of(voxel)).or_default().hit(Block::slot(voxel));
+        let block = self.blocks.entry(Self::block_of(voxel)).or_default();
+        self.counted += usize::from(block.hits.is_none());
+        block.hit(Block::slot(voxel));
     }
 
     pub(super) fn traverse(&mut self, voxel: [i64; 3]) {

@@ -4,8 +4,8 @@
 use super::block::EDGE;
 use super::grid::Grid;
 use super::occupancy::Occupancy;
+use crate::Result;
 use crate::geometry::Vec3;
-use crate::{Interrupt, Result, poll};
 
 /// Voxels of a slab along its axis: a row of the bit map is one word.
 const DEPTH: i64 = 64;
@@ -108,14 +108,14 @@ impl Line {
     }
 }
 
-/// Carves rays that all lean towards `sign` × the axis `along`.
+/// Carves rays that all lean towards `sign` × the axis `along`; `check` is asked at every slab whether to go on.
 pub fn carve_bundle(
     occupancy: &mut Occupancy,
     rays: &[Ray],
     along: usize,
     sign: f64,
     base: &Base,
-    interrupt: Interrupt,
+    check: &dyn Fn(&Occupancy) -> Result<()>,
 ) -> Result<()> {
     let frame = Frame::new(along, sign);
     let lines: Vec<Line> = rays.iter().map(|r| frame.line(r)).collect();
@@ -125,13 +125,14 @@ pub fn carve_bundle(
     }
     let mut map = BitMap::default();
     for number in (ends[0].floor() as i64).div_euclid(DEPTH)..=(ends[1].floor() as i64).div_euclid(DEPTH) {
-        poll(interrupt)?;
+        check(occupancy)?;
         let slab = [number * DEPTH, (number + 1) * DEPTH];
         if map.fit(&lines, slab) {
             lines.iter().for_each(|l| map.draw(l, slab));
             map.merge(occupancy, &frame, slab[0], base);
         } else {
             for line in &lines {
+                check(occupancy)?;
                 carve_part(occupancy, &frame, line, slab, base);
             }
         }
