@@ -1,6 +1,7 @@
 //! ANALYZE: statistics of our own about a column, beside PostgreSQL's.
 
 use pgrx::pg_sys;
+use pgrx::pg_sys::ffi::pg_guard_ffi_boundary;
 use pgrx::pg_sys::submodules::panic::pgrx_extern_c_guard;
 
 use super::{Args, Ret, own_type_name};
@@ -49,8 +50,9 @@ unsafe extern "C-unwind" fn compute<S: Statistics>(
         pgrx_extern_c_guard(move || {
             let plan = &*(*column).extra_data.cast::<Plan>();
             (*column).extra_data = plan.standard_data;
+            // PostgreSQL's own functions, called by their addresses: pgrx guards those only that it knows by name.
             if let Some(standard) = plan.standard {
-                standard(column, fetch, rows, total);
+                pg_guard_ffi_boundary(|| standard(column, fetch, rows, total));
             }
             let (Some(fetch), true) = (fetch, (*column).stats_valid) else { return };
             // What a value needs is given back before the next.
@@ -67,7 +69,7 @@ unsafe extern "C-unwind" fn compute<S: Statistics>(
                 pg_sys::vacuum_delay_point();
                 pg_sys::MemoryContextReset(scratch);
                 let mut null = false;
-                let value = fetch(column, row, &mut null);
+                let value = pg_guard_ffi_boundary(|| fetch(column, row, &mut null));
                 (!null).then(|| Args::of_value(value))
             });
             let numbers = S::of(&plan.type_name, &mut sample);

@@ -1,6 +1,7 @@
 //! What a selectivity estimator is asked: an operator's arguments as the planner knows them.
 
 use pgrx::pg_sys;
+use pgrx::pg_sys::ffi::pg_guard_ffi_boundary;
 
 use super::analyze::BOX_STATISTICS;
 use super::{Args, own_type_name};
@@ -129,6 +130,6 @@ unsafe fn known(args: &Args, data: &pg_sys::VariableStatData) -> Known {
 
 unsafe fn release(data: &pg_sys::VariableStatData) {
     if let (false, Some(free)) = (data.statsTuple.is_null(), data.freefunc) {
-        unsafe { free(data.statsTuple) };
+        unsafe { pg_guard_ffi_boundary(|| free(data.statsTuple)) };
     }
 }

@@ -61,6 +61,30 @@ fn moving_beams_confirm_displace_and_refute() {
     assert_eq!(gone.verdict, Verdict::Absent, "{gone:?}");
 }
 
+/// A sheet without thickness, driven past on both sides: both see it 6 mm along its normal.
+#[test]
+fn both_sides_of_an_open_surface_agree() {
+    let corner = |y: f64, z: f64| BASE + Vec3::new(0.0, y, z);
+    let corners = vec![corner(0.0, 0.0), corner(2.0, 0.0), corner(2.0, 2.0), corner(0.0, 2.0)];
+    let sheet = Solid::new(corners, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+    let mut c = Collector::new(&sheet, EvidenceModel::default(), NEVER).unwrap();
+    for side in [1.0, -1.0] {
+        let mut content = drive(0.006 * side);
+        for (start, beam) in content.starts.as_mut().unwrap().iter_mut().zip(&mut content.beams) {
+            (start.x, beam.offset.x) = (start.x * side, beam.offset.x * side);
+        }
+        let setting =
+            Setting { origins: Origins::Each, station: 7, origin: BASE, step: STEP, quantum: Patch::QUANTUM_M };
+        for part in (0..content.len() as u32).collect::<Vec<_>>().chunks(4000) {
+            c.absorb(&Patch::pack(&setting, &content.select(part)).unwrap().to_bytes(), NEVER).unwrap();
+        }
+    }
+    let e = c.into_evidence();
+    let seen = e.summary(e.model(), &VerdictRule::default(), NEVER).unwrap();
+    assert!((seen.deviation.unwrap().0.abs() - 0.006).abs() < 5e-4, "{seen:?}");
+    assert_eq!(seen.verdict, Verdict::Confirmed);
+}
+
 #[test]
 fn a_platform_that_stands_still_is_a_tripod() {
     let place = Vec3::new(4.0, 1.0, 1.0);

@@ -212,6 +212,8 @@ impl Collector {
         let header = &view.header;
         let (margin, reach, kernel) = (self.margin(header), self.reach(header), self.kernel_radius());
         let station = self.evidence.station_index(header.station, place);
+        // Sums count towards the scanner; where there are many, along the normal.
+        let turns = place == Place::Many && self.evidence.model.kind == ModelKind::Surface;
         let Evidence { samples, stations, .. } = &mut self.evidence;
         let scanner = header.origin - samples.reference;
         for (i, block) in samples.blocks.iter().enumerate() {
@@ -231,7 +233,7 @@ impl Collector {
             let blocks = &mut stations[station].blocks;
             let mut sums =
                 blocks.remove(&(i as u32)).unwrap_or_else(|| vec![Sums::default(); block.len as usize].into());
-            gather_block(samples, block, &scanner, normal, &speak, &mut sums);
+            gather_block(samples, block, &scanner, normal, turns, &speak, &mut sums);
             if sums.iter().any(|s| !s.is_empty()) {
                 blocks.insert(i as u32, sums);
             }
@@ -270,12 +272,20 @@ fn gather_block(
     block: &Block,
     scanner: &Vec3,
     normal: &Vec3,
+    turns: bool,
     speak: &impl Fn(&Vec3, &Vec3, &mut Sums),
     sums: &mut [Sums],
 ) {
     for (k, sums) in sums.iter_mut().enumerate() {
         let offset = samples.local(block.start as usize + k) - scanner;
-        let towards = if samples.two_sided && offset.dot(normal) > 0.0 { -normal } else { *normal };
-        speak(&offset, &towards, sums);
+        let behind = samples.two_sided && offset.dot(normal) > 0.0;
+        let towards = if behind { -normal } else { *normal };
+        if behind && turns {
+            let mut own = Sums::default();
+            speak(&offset, &towards, &mut own);
+            sums.add(&surface_sums::turned(&own));
+        } else {
+            speak(&offset, &towards, sums);
+        }
     }
 }

@@ -125,6 +125,12 @@ fn add_surface(weight: f64, d: i64, variance: i64, sums: &mut Sums) {
     sums.beams = sums.beams.saturating_add(1);
 }
 
+/// The same sums, their deviations counted the other way.
+pub fn turned(sums: &Sums) -> Sums {
+    let [hit, squared, first, second, through] = sums.parts;
+    Sums { parts: [hit, squared, first.saturating_neg(), second, through], ..*sums }
+}
+
 /// Adds a point met `deviation` metres in front of the face, with a variance (m²) of its own: it widens the scatter.
 pub fn add_point(weight: f64, deviation: f64, variance: f64, sums: &mut Sums) {
     let fixed = |x: f64, unit: f64| (x * unit).round() as i64;
