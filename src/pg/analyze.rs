@@ -4,6 +4,7 @@ use pgrx::pg_sys;
 use pgrx::pg_sys::ffi::pg_guard_ffi_boundary;
 use pgrx::pg_sys::submodules::panic::pgrx_extern_c_guard;
 
+use super::scratch::scratch_context;
 use super::{Args, Ret, own_type_name};
 
 /// Kind of our statistics in `pg_statistic`; numbers from 10000 on are for private use.
@@ -56,15 +57,8 @@ unsafe extern "C-unwind" fn compute<S: Statistics>(
             }
             let (Some(fetch), true) = (fetch, (*column).stats_valid) else { return };
             // What a value needs is given back before the next.
-            let before = pg_sys::CurrentMemoryContext;
-            let scratch = pg_sys::AllocSetContextCreateInternal(
-                before,
-                c"asbuilt analyze".as_ptr(),
-                0,
-                pg_sys::ALLOCSET_DEFAULT_INITSIZE as usize,
-                pg_sys::ALLOCSET_DEFAULT_MAXSIZE as usize,
-            );
-            pg_sys::MemoryContextSwitchTo(scratch);
+            let scratch = scratch_context(c"asbuilt analyze");
+            let before = pg_sys::MemoryContextSwitchTo(scratch);
             let mut sample = (0..rows).filter_map(|row| {
                 pg_sys::vacuum_delay_point();
                 pg_sys::MemoryContextReset(scratch);

@@ -171,12 +171,7 @@ impl Args {
 
     /// A `float8[]` of one dimension.
     pub fn f64_list(&self, i: usize, what: &'static str) -> Result<Vec<f64>> {
-        let (dims, values) = self.f64_array(i, what)?;
-        if dims.len() <= 1 {
-            Ok(values)
-        } else {
-            Err(Error::argument(what, "an array of one dimension", array::shape(&dims)))
-        }
+        self.list(i, what)
     }
 
     /// A square matrix: `float8[]` of `N` x `N`, or of its numbers row by row.
@@ -210,11 +205,14 @@ impl Args {
 
     /// An `int4[]` of one dimension.
     pub fn i32_list(&self, i: usize, what: &'static str) -> Result<Vec<i32>> {
+        self.list(i, what)
+    }
+
+    fn list<T: Copy>(&self, i: usize, what: &'static str) -> Result<Vec<T>> {
         let (dims, values) = unsafe { array::read(self.datum(i), what) }?;
-        if dims.len() <= 1 {
-            Ok(values)
-        } else {
-            Err(Error::argument(what, "an array of one dimension", array::shape(&dims)))
+        match dims.len() {
+            0 | 1 => Ok(values),
+            _ => Err(Error::argument(what, "an array of one dimension", array::shape(&dims))),
         }
     }
 

@@ -11,6 +11,7 @@ mod gist;
 mod interrupt;
 mod ret;
 mod rows;
+mod scratch;
 mod selectivity;
 mod sort;
 mod toast;

@@ -5,6 +5,7 @@ use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 
 use super::ret::{fixed, varlena};
+use super::scratch::scratch_context;
 use super::{Args, array};
 
 /// One column of a returned row.
@@ -163,14 +164,7 @@ impl Rows {
             (*info).setResult = store;
             (*info).setDesc = desc;
             pg_sys::MemoryContextSwitchTo(before);
-            let scratch = pg_sys::AllocSetContextCreateInternal(
-                pg_sys::CurrentMemoryContext,
-                c"asbuilt rows".as_ptr(),
-                0,
-                pg_sys::ALLOCSET_DEFAULT_INITSIZE as usize,
-                pg_sys::ALLOCSET_DEFAULT_MAXSIZE as usize,
-            );
-            Ok(Self { store, desc, scratch })
+            Ok(Self { store, desc, scratch: scratch_context(c"asbuilt rows") })
         }
     }
 

@@ -6,14 +6,10 @@ use asbuilt_core::{Error, Result};
 
 use super::scan::header;
 use super::{box_from, uncertain};
-use crate::pg::{Args, Field, Ret, Rows, interrupt, sql_functions};
+use crate::pg::{Field, Ret, Rows, interrupt, sql_functions};
 
 fn or_null(patch: Option<Patch>) -> Result<Ret> {
     Ok(patch.map_or(Ret::Null, |p| Ret::Bytes(p.to_bytes())))
-}
-
-fn retiled(args: &Args) -> Result<Vec<Patch>> {
-    Patch::retiled(&args.bytes_array(0, "the patches")?, &interrupt)
 }
 
 sql_functions! {
@@ -80,7 +76,7 @@ sql_functions! {
 
     fn ab_scan_retile(args) {
         let mut rows = Rows::new(args)?;
-        for patch in retiled(args)? {
+        for patch in Patch::retiled(&args.bytes_array(0, "the patches")?, &interrupt)? {
             rows.push(&[Field::Bytes(patch.to_bytes())]);
         }
         Ok(Ret::Null)

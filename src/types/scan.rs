@@ -1,7 +1,7 @@
 //! `ab_scan`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Content, Header, Origins, Patch, Setting, angular_spacing, mean_step, spacing};
+use asbuilt_core::scan::{Beam, Content, Header, Origins, Patch, Setting};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
@@ -17,6 +17,8 @@ pub fn header(args: &Args) -> Result<Header> {
     Header::read(args.prefix(0, Header::LEN))
 }
 
+/// ab_scan(origin, points, step, station, quantum, intensity, colour, no_return)
+///
 /// Directions of beams where nothing came back need an origin; they follow the returns and have neither intensity nor
 /// colour.
 fn from_arrays(args: &Args) -> Result<Patch> {
@@ -40,15 +42,9 @@ fn from_arrays(args: &Args) -> Result<Patch> {
         if origins == Origins::Each {
             return Err(Error::argument("beams without return", "of one origin", "of several"));
         }
-        content.intensity.iter_mut().for_each(|p| p.resize(p.len() + directions.len(), 0));
-        content.colour.iter_mut().for_each(|p| p.resize(p.len() + directions.len(), [0; 3]));
-        content.beams.extend(directions.into_iter().map(|d| Beam { offset: d.into(), returned: false }));
+        content.extend_without_return(directions.into_iter().map(Vec3::from));
     }
-    let step = match (args.is_null(2), origins) {
-        (false, _) => args.f64(2),
-        (true, Origins::One) => mean_step(&content.beams),
-        (true, _) => angular_spacing(&content),
-    };
+    let step = if args.is_null(2) { content.step(origins) } else { args.f64(2) };
     Patch::pack(&Setting { origins, station, origin, step, quantum }, &content)
 }
 
@@ -66,12 +62,12 @@ fn origins(args: &Args) -> Result<(Origins, Vec<Vec3>)> {
 fn cloud(args: &Args) -> Result<Patch> {
     let points: Vec<Vec3> = args.f64_triples(0, "the points")?.into_iter().map(Vec3::from).collect();
     let origin = points.first().map_or_else(Vec3::zeros, |p| p.map(f64::round));
-    let step = if args.is_null(1) { spacing(points.iter()) } else { args.f64(1) };
     let mut content = Content::of(points.iter().map(|p| Beam { offset: p - origin, returned: true }).collect());
     content.intensity = planes::intensity(args, 4)?;
     content.colour = planes::colour(args, 5)?;
-    let (station, quantum) = (args.i64(2), args.f64(3));
-    Patch::pack(&Setting { origins: Origins::Unknown, station, origin, step, quantum }, &content)
+    let (origins, station, quantum) = (Origins::Unknown, args.i64(2), args.f64(3));
+    let step = if args.is_null(1) { content.step(origins) } else { args.f64(1) };
+    Patch::pack(&Setting { origins, station, origin, step, quantum }, &content)
 }
 
 sql_functions! {

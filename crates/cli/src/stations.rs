@@ -3,7 +3,7 @@
 use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::scan::{Content, Origins, Patch, Setting, clusters, mean_step, spacing, tiles};
+use asbuilt_core::scan::{Origins, Patch, Setting};
 use rayon::prelude::*;
 
 use crate::read::RawScan;
@@ -27,19 +27,19 @@ pub fn pack(
 ) -> Result<Packed> {
     let (all, has_origin) = (scan.content.len(), scan.world_from_scan.is_some());
     scan.retain(|b| !b.returned || !has_origin || b.offset.norm() >= min_range);
-    let (scan, beams) = (&*scan, &scan.content.beams);
-    let mut packed = Packed { beams: 0, no_returns: 0, too_near: (all - beams.len()) as u64, points: Aabb::EMPTY };
-    let tiles = if has_origin {
-        tiles(beams, NEVER)?
-    } else {
-        clusters(&beams.iter().map(|b| b.offset).collect::<Vec<_>>(), NEVER)?
+    let scan = &*scan;
+    let too_near = (all - scan.content.len()) as u64;
+    let mut packed = Packed { beams: 0, no_returns: 0, too_near, points: Aabb::EMPTY };
+    let origins = if has_origin { Origins::One } else { Origins::Unknown };
+    let (origin, quantum) = (scan.anchor, Patch::QUANTUM_M);
+    let encode = |tile: &Vec<u32>| {
+        let own = scan.content.select(tile);
+        Patch::pack(&Setting { origins, station, origin, step: own.step(origins), quantum }, &own)
     };
+    let tiles = scan.content.cut(origins, NEVER)?;
     // In batches, so that the packed patches of a large scan are not all in memory at once.
     for batch in tiles.chunks(256) {
-        let patches = batch
-            .par_iter()
-            .map(|tile| encode(scan, station, &scan.content.select(tile)))
-            .collect::<asbuilt_core::Result<Vec<Patch>>>()?;
+        let patches = batch.par_iter().map(encode).collect::<asbuilt_core::Result<Vec<Patch>>>()?;
         for patch in patches {
             let h = patch.header();
             packed.beams += u64::from(h.beams);
@@ -51,13 +51,4 @@ pub fn pack(
         }
     }
     Ok(packed)
-}
-
-fn encode(scan: &RawScan, station: i64, content: &Content) -> asbuilt_core::Result<Patch> {
-    let (origins, step) = if scan.world_from_scan.is_some() {
-        (Origins::One, mean_step(&content.beams))
-    } else {
-        (Origins::Unknown, spacing(content.beams.iter().map(|b| &b.offset)))
-    };
-    Patch::pack(&Setting { origins, station, origin: scan.anchor, step, quantum: Patch::QUANTUM_M }, content)
 }

@@ -102,7 +102,7 @@ fn agrees(grid: Grid, patches: &[Vec<u8>], region: Aabb) -> (usize, usize, usize
                 let voxel = [x, y, z];
                 let (hits, longest) = brute(&grid, &unpacked, voxel);
                 let state = o.state(voxel, 2);
-                if !grid.holds(voxel) {
+                if !grid.span().holds(voxel) {
                     assert_eq!(state, State::Unknown);
                     continue;
                 }

@@ -56,6 +56,18 @@ impl Database {
         Command::new(path).args(args).env("PGDATABASE", &self.name).output().unwrap()
     }
 
+    /// Dumps the database as SQL and restores it into a fresh one.
+    pub fn dumped_and_restored(&self, name: &str) -> Self {
+        let dump = self.tool("pg_dump", &[]);
+        assert!(dump.status.success(), "{}", String::from_utf8_lossy(&dump.stderr));
+        let file = scratch(&format!("{name}.sql"));
+        std::fs::write(&file, &dump.stdout).unwrap();
+        let back = Self::new(name);
+        let restored = back.tool("psql", &["-q", "-v", "ON_ERROR_STOP=1", "-f", text(&file)]);
+        assert!(restored.status.success(), "{}", String::from_utf8_lossy(&restored.stderr));
+        back
+    }
+
     /// The program `asbuilt`, not yet started.
     pub fn command(&self, args: &[&str]) -> Command {
         let mut c = Command::new(variable("ASBUILT"));

@@ -169,12 +169,6 @@ fn a_bridged_database_is_dumped_and_restored() {
         .unwrap();
     let digest = "SELECT md5(string_agg(theirs.ST_AsEWKB(geom)::text, ',' ORDER BY id)) FROM public.layer";
     let before: String = client.query_one(digest, &[]).unwrap().get(0);
-    let dump = db.tool("pg_dump", &[]);
-    assert!(dump.status.success(), "{}", String::from_utf8_lossy(&dump.stderr));
-    let back = Database::new("bridge_restored");
-    let file = asbuilt_client_tests::scratch("bridge.sql");
-    std::fs::write(&file, &dump.stdout).unwrap();
-    let restored = back.tool("psql", &["-q", "-v", "ON_ERROR_STOP=1", "-f", text(&file)]);
-    assert!(restored.status.success(), "{}", String::from_utf8_lossy(&restored.stderr));
+    let back = db.dumped_and_restored("bridge_restored");
     assert_eq!(back.connect().query_one(digest, &[]).unwrap().get::<_, String>(0), before);
 }

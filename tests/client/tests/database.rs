@@ -135,13 +135,7 @@ fn dump_and_restore_lose_nothing() {
         || (SELECT md5(string_agg(patch::text, ',' ORDER BY patch::text)) FROM scan)
         || (SELECT md5(string_agg(e::text, ',' ORDER BY id)) FROM evidence)";
     let before: String = client.query_one(digest, &[]).unwrap().get(0);
-    let dump = db.tool("pg_dump", &[]);
-    assert!(dump.status.success(), "{}", String::from_utf8_lossy(&dump.stderr));
-    let back = Database::new("restored");
-    let file = asbuilt_client_tests::scratch("dump.sql");
-    std::fs::write(&file, &dump.stdout).unwrap();
-    let restored = back.tool("psql", &["-q", "-v", "ON_ERROR_STOP=1", "-f", file.to_str().unwrap()]);
-    assert!(restored.status.success(), "{}", String::from_utf8_lossy(&restored.stderr));
+    let back = db.dumped_and_restored("restored");
     let mut client = back.connect();
     assert_eq!(client.query_one(digest, &[]).unwrap().get::<_, String>(0), before);
     assert!(plan(&mut client, EVIDENCE).contains("patch && "));

@@ -90,10 +90,7 @@ fn read_cloud(
     };
     if has_origin {
         let missing = missing_directions(&cells);
-        scan.content.beams.extend(missing.iter().map(|d| Beam { offset: rotation * d, returned: false }));
-        let n = scan.content.len();
-        scan.content.intensity.iter_mut().for_each(|p| p.resize(n, 0));
-        scan.content.colour.iter_mut().for_each(|p| p.resize(n, [0; 3]));
+        scan.content.extend_without_return(missing.iter().map(|d| rotation * d));
     }
     move_anchor(&mut scan, options.origin, has_origin);
     Ok(scan)

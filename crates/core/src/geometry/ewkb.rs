@@ -124,10 +124,7 @@ impl Cursor<'_> {
     /// A ring without its closing point.
     fn ring(&mut self) -> Result<Vec<Vec3>> {
         let n = self.u32()? as usize;
-        if n > MAX_CORNERS {
-            let (value, limit) = (n.to_string(), MAX_CORNERS.to_string());
-            return Err(Error::Limit { what: "the number of corners of one face", value, limit });
-        }
+        check_corners(n)?;
         if n < 3 {
             return Err(self.r.bad(format!("a ring of {n} points")));
         }
@@ -140,6 +137,14 @@ impl Cursor<'_> {
         }
         Ok(ring)
     }
+}
+
+fn check_corners(n: usize) -> Result<()> {
+    if n <= MAX_CORNERS {
+        return Ok(());
+    }
+    let (value, limit) = (n.to_string(), MAX_CORNERS.to_string());
+    Err(Error::Limit { what: "the number of corners of one face", value, limit })
 }
 
 /// A mesh in the making.
@@ -170,10 +175,7 @@ impl Mesh {
                 holes.push(corners.len());
             }
             corners.extend(cursor.ring()?);
-            if corners.len() > MAX_CORNERS {
-                let (value, limit) = (corners.len().to_string(), MAX_CORNERS.to_string());
-                return Err(Error::Limit { what: "the number of corners of one face", value, limit });
-            }
+            check_corners(corners.len())?;
         }
         let outer = holes.first().copied().unwrap_or(corners.len());
         if ty == TRIANGLE && corners.len() != 3 {

@@ -1,7 +1,10 @@
 //! The beams of a patch, unpacked, with what else was measured of each.
 
-use super::Header;
+use super::cluster::{angular_spacing, clusters, spacing};
+use super::tile::{mean_step, tiles};
+use super::{Header, Origins};
 use crate::geometry::Vec3;
+use crate::{Interrupt, Result};
 
 /// One laser beam relative to its origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,6 +79,35 @@ impl Content {
         join(&mut self.intensity, other.intensity);
         join(&mut self.colour, other.colour);
         self.beams.append(&mut other.beams);
+    }
+
+    /// Adds beams without return; they have neither intensity nor colour, for which their planes hold 0.
+    pub fn extend_without_return(&mut self, directions: impl IntoIterator<Item = Vec3>) {
+        let before = self.len();
+        self.beams.extend(directions.into_iter().map(|offset| Beam { offset, returned: false }));
+        let more = self.len() - before;
+        self.intensity.iter_mut().for_each(|plane| plane.extend(std::iter::repeat_n(0, more)));
+        self.colour.iter_mut().for_each(|plane| plane.extend(std::iter::repeat_n([0; 3], more)));
+    }
+
+    /// Cuts the beams into patches of neighbours, each a list of beam numbers: by direction where they start at one place,
+    /// else by where they end. A beam of one origin and zero length is in none.
+    pub fn cut(&self, origins: Origins, interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
+        match origins {
+            Origins::One => tiles(&self.beams, interrupt),
+            Origins::Each | Origins::Unknown => {
+                clusters(&(0..self.len()).map(|i| self.end(i)).collect::<Vec<Vec3>>(), interrupt)
+            }
+        }
+    }
+
+    /// The step of a patch of these beams ([`super::Setting::step`]) when nobody tells.
+    pub fn step(&self, origins: Origins) -> f64 {
+        match origins {
+            Origins::One => mean_step(&self.beams),
+            Origins::Each => angular_spacing(self),
+            Origins::Unknown => spacing(self.beams.iter().map(|b| &b.offset)),
+        }
     }
 
     /// The flags of the planes that are there.

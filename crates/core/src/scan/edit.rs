@@ -3,7 +3,7 @@
 
 use std::collections::HashSet;
 
-use super::{Content, Header, MAX_BEAMS, Origins, Patch, clusters, tiles};
+use super::{Content, Header, MAX_BEAMS, Origins, Patch};
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::uncertain::Pose;
@@ -77,16 +77,8 @@ impl Patch {
             poll(interrupt)?;
             Self::pack(&header.setting(), &content.select(tile))
         };
-        cut(&content, header.origins() == Origins::One, interrupt)?.iter().map(pack).collect()
+        content.cut(header.origins(), interrupt)?.iter().map(pack).collect()
     }
-}
-
-/// Cuts by direction what was seen from one place, by place all else; beams of zero length are in no angular tile.
-fn cut(content: &Content, one_origin: bool, interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
-    if one_origin {
-        return tiles(&content.beams, interrupt);
-    }
-    clusters(&(0..content.len()).map(|i| content.end(i)).collect::<Vec<Vec3>>(), interrupt)
 }
 
 /// All beams of patches of one station, from the first one's origin, at the finest quantum of all; `None` where there is

@@ -1,6 +1,6 @@
 //! Patches from rows that come one by one: the state of SQL's `ab_scan_agg`.
 
-use super::{Beam, Content, Origins, Patch, Setting, angular_spacing, clusters, mean_step, spacing, tiles};
+use super::{Beam, Content, Origins, Patch, Setting};
 use crate::error::{Error, Result};
 use crate::geometry::Vec3;
 use crate::num::bytes::{Put, Reader};
@@ -119,22 +119,14 @@ impl Gathered {
     /// Packed patches of neighbours: by direction from one origin, else by place.
     pub fn patches(&self, interrupt: Interrupt) -> Result<Vec<Patch>> {
         let origins = self.origins();
-        let tiles = match origins {
-            Origins::One => tiles(&self.content.beams, interrupt)?,
-            _ => clusters(&(0..self.content.len()).map(|i| self.content.end(i)).collect::<Vec<Vec3>>(), interrupt)?,
-        };
         let pack = |tile: &Vec<u32>| {
             poll(interrupt)?;
             let own = self.content.select(tile);
-            let step = match origins {
-                Origins::One => mean_step(&own.beams),
-                Origins::Each => angular_spacing(&own),
-                Origins::Unknown => spacing(own.beams.iter().map(|b| &b.offset)),
-            };
+            let step = own.step(origins);
             let (station, origin, quantum) = (self.station, self.reference, Patch::QUANTUM_M);
             Patch::pack(&Setting { origins, station, origin, step, quantum }, &own)
         };
-        tiles.iter().map(pack).collect()
+        self.content.cut(origins, interrupt)?.iter().map(pack).collect()
     }
 
     /// For another process of this server.

@@ -26,9 +26,9 @@ pub enum Origins {
 
 /// Header of a patch: fixed size, readable alone.
 ///
-/// Byte layout, little-endian: version u8 (2 where a plane of version 2 is there, else 1), `'P'` u8, flags u8, 0 u8, beams u32, returns u32, payload
-/// length u32, payload checksum u32, half-angle f32, step f32, range min and max f32, (pad) u32, station i64,
-/// origin 3×f64, quantum f64, point box 6×f64, hull 6×f64, axis 3×f64.
+/// Byte layout, little-endian: version u8 (2 where a plane of version 2 is there, else 1), `'P'` u8, flags u8, 0 u8, beams
+/// u32, returns u32, payload length u32, payload checksum u32, half-angle f32, step f32, range min and max f32, (pad) u32,
+/// station i64, origin 3×f64, quantum f64, point box 6×f64, hull 6×f64, axis 3×f64.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Header {
     /// See the `FLAG_` constants.

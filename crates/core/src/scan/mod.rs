@@ -20,7 +20,6 @@ mod platform;
 mod tile;
 mod view;
 
-pub use cluster::{angular_spacing, clusters, spacing};
 pub use cone::Cone;
 pub use content::{Beam, Content};
 pub use encode::Setting;
@@ -28,5 +27,5 @@ pub use gather::{Gathered, Return};
 pub use header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M, Origins};
 pub use patch::Patch;
 pub use platform::by_origin;
-pub use tile::{MAX_BEAMS, mean_step, tiles};
+pub use tile::MAX_BEAMS;
 pub use view::View;

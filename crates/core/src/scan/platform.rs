@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::encode::describe;
-use super::{Beam, Content, Header, Origins, Setting, tiles};
+use super::tile::tiles;
+use super::{Beam, Content, Header, Origins, Setting};
 use crate::NEVER;
 use crate::error::Result;
 

@@ -38,7 +38,7 @@ impl Occupancy {
     fn count_returns(&mut self, header: &Header, content: &Content) -> Result<()> {
         for i in (0..content.len()).filter(|&i| content.beams[i].returned) {
             let voxel = self.grid.index(&(header.origin + content.end(i)))?;
-            if self.grid.holds(voxel) {
+            if self.span.holds(voxel) {
                 self.hit(voxel);
             }
         }
@@ -47,7 +47,7 @@ impl Occupancy {
 
     /// The ways that say "empty", clipped to the tile.
     fn rays(&self, header: &Header, content: &Content, base: &Base) -> Result<Vec<Ray>> {
-        let tile = [0, 1, 2].map(|axis| self.grid.span(axis).map(|i| (i - base.0[axis]) as f64));
+        let tile = [0, 1, 2].map(|axis| self.span.0[axis].map(|i| (i - base.0[axis]) as f64));
         let mut out = Vec::with_capacity(content.len());
         for (i, beam) in content.beams.iter().enumerate() {
             let start = base.local(&self.grid, &(header.origin + content.start(i)));
@@ -112,7 +112,7 @@ impl Occupancy {
     pub(super) fn carve_alone(&mut self, ray: &Ray, base: &Base) {
         march(&ray.start, &ray.stop, |local| {
             let voxel = base.world(local);
-            if self.grid.holds(voxel) {
+            if self.span.holds(voxel) {
                 self.traverse(voxel);
             }
         });

@@ -53,23 +53,26 @@ impl Grid {
         }
     }
 
-    /// First and last-but-one voxel of the tile on an axis.
-    pub fn span(&self, axis: usize) -> [i64; 2] {
+    /// The voxels of the tile.
+    pub fn span(&self) -> Span {
         let first = |c: f64| (c / self.voxel - 0.5).ceil().clamp(-Self::MAX_INDEX, Self::MAX_INDEX) as i64;
-        [first(self.tile.min[axis]), first(self.tile.max[axis])]
-    }
-
-    /// Whether a voxel belongs to the tile.
-    pub fn holds(&self, voxel: [i64; 3]) -> bool {
-        (0..3).all(|axis| {
-            let [first, end] = self.span(axis);
-            (first..end).contains(&voxel[axis])
-        })
+        Span([0, 1, 2].map(|axis| [first(self.tile.min[axis]), first(self.tile.max[axis])]))
     }
 
     /// Centre of a voxel, world metres.
     pub fn centre(&self, voxel: [i64; 3]) -> Vec3 {
         Vec3::from(voxel.map(|i| (i as f64 + 0.5) * self.voxel))
+    }
+}
+
+/// A box of voxels: on every axis the first, and the one behind the last.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Span(pub [[i64; 2]; 3]);
+
+impl Span {
+    /// Whether a voxel belongs to it.
+    pub fn holds(&self, voxel: [i64; 3]) -> bool {
+        (0..3).all(|axis| (self.0[axis][0]..self.0[axis][1]).contains(&voxel[axis]))
     }
 }
 
@@ -81,9 +84,10 @@ mod tests {
     fn neighbouring_tiles_share_no_voxel_and_miss_none() {
         let tile = |a: f64, b: f64| Grid::new(0.02, Aabb { min: [a; 3], max: [b; 3] }, 0.0, 0.0).unwrap();
         let (low, high) = (tile(-1.0, 0.5), tile(0.5, 2.0));
-        assert_eq!(low.span(0)[1], high.span(1)[0]);
-        assert_eq!(low.span(2), [-50, 25]);
-        assert!(low.holds([24, 0, -50]) && !low.holds([25, 0, 0]) && high.holds([25, 30, 99]));
+        let (low_span, high_span) = (low.span(), high.span());
+        assert_eq!(low_span.0[0][1], high_span.0[1][0]);
+        assert_eq!(low_span.0[2], [-50, 25]);
+        assert!(low_span.holds([24, 0, -50]) && !low_span.holds([25, 0, 0]) && high_span.holds([25, 30, 99]));
         let i = low.index(&Vec3::new(-0.001, 0.0, 0.019)).unwrap();
         assert_eq!(i, [-1, 0, 0]);
         assert!((low.centre(i) - Vec3::new(-0.01, 0.01, 0.01)).norm() < 1e-12);

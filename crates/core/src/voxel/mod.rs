@@ -13,7 +13,7 @@ mod occupancy_bytes;
 mod slab;
 
 pub use block::{Block, State};
-pub use grid::Grid;
+pub use grid::{Grid, Span};
 pub use march::march;
 pub use occupancy::Occupancy;
 pub use occupancy_bytes::OccupancyHeader;

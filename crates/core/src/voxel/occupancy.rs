@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::block::{Block, EDGE, State};
-use super::grid::Grid;
+use super::grid::{Grid, Span};
 use crate::error::{Error, Result};
 use crate::{Interrupt, poll_now_and_then};
 
@@ -15,6 +15,8 @@ const COUNTS_BYTES: usize = 528;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Occupancy {
     pub(super) grid: Grid,
+    /// The voxels of the grid's tile.
+    pub(super) span: Span,
     pub(super) blocks: HashMap<[i32; 3], Block>,
     /// Blocks with counts.
     counted: usize,
@@ -23,7 +25,7 @@ pub struct Occupancy {
 impl Occupancy {
     /// Nothing is known.
     pub fn new(grid: Grid) -> Self {
-        Self { grid, blocks: HashMap::new(), counted: 0 }
+        Self { grid, span: grid.span(), blocks: HashMap::new(), counted: 0 }
     }
 
     /// The lattice and the tile.

@@ -278,7 +278,7 @@ impl Occupancy {
     /// Notes voxels of the block that begins at `first` as traversed, as far as they belong to the tile.
     fn traverse_block(&mut self, first: [i64; 3], bits: &[u64; 8]) {
         let spans = [0, 1, 2].map(|axis| {
-            let [low, end] = self.grid.span(axis);
+            let [low, end] = self.span.0[axis];
             [(low - first[axis]).clamp(0, EDGE), (end - first[axis]).clamp(0, EDGE)]
         });
         if spans.iter().any(|[low, end]| low >= end) {
