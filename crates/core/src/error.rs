@@ -104,6 +104,12 @@ pub enum Error {
         /// What differs.
         reason: String,
     },
+    /// Voxels that are not the same voxels, or were not gathered by the same rules.
+    #[error("the grids do not belong together: {reason}")]
+    Lattice {
+        /// What differs.
+        reason: String,
+    },
     /// The caller asked to stop.
     #[error("interrupted")]
     Interrupted,
@@ -133,11 +139,15 @@ impl Error {
             Self::Mismatch { .. } => {
                 "Roll up only evidence of the same solid, made with the same ab_evidence_model().".into()
             }
+            Self::Lattice { .. } => {
+                "Aggregate both with the same ab_grid(); ab_downsample(occupancy) doubles the voxels of the finer one.".into()
+            }
             Self::Limit { what, .. } if what.contains("offset") => {
                 "Use a coarser quantum, or give coordinates nearer the scanner.".into()
             }
             Self::Limit { what, .. } if what.contains("voxel grid") => {
-                "Give the grid a tile, and aggregate tile by tile; or use larger voxels.".into()
+                "Aggregate tile by tile: FROM ab_tiles(box, size) t JOIN scan ON patch && t; or use larger voxels, or raise asbuilt.max_grid_memory."
+                    .into()
             }
             Self::Limit { what, .. } if what.contains("union") => {
                 "Join fewer patches; ab_retile(patches) cuts many into tiles of neighbours.".into()

@@ -130,7 +130,7 @@ fn states_are_those_of_brute_force() {
         let region = Aabb { min: centre.into(), max: centre.into() }.expanded(1.6);
         let tile = Aabb { min: centre.into(), max: centre.into() }.expanded(1.25);
         for (tile, margin) in [(tile, 0.0), (Grid::EVERYWHERE, 0.15)] {
-            let grid = Grid::new(VOXEL, tile, margin, 2.0).unwrap();
+            let grid = Grid { exact: true, ..Grid::new(VOXEL, tile, margin, 2.0).unwrap() };
             let patches = scene(seed, centre, 8);
             let (full, empty, unknown) = agrees(grid, &patches, region);
             assert!(full > 5 && empty > 1000 && unknown > 1000, "{full} {empty} {unknown}");
@@ -167,7 +167,7 @@ proptest! {
     #[test]
     fn beams_on_borders(ends in prop::collection::vec(prop::array::uniform3(-6i8..7), 1..40), voxel in prop::sample::select(vec![0.1, 0.25, 0.5])) {
         let offset = |e: &[i8; 3]| Vec3::from(e.map(|c| f64::from(c) * 0.25));
-        let grid = Grid::new(voxel, Grid::EVERYWHERE, 0.0, 1.0).unwrap();
+        let grid = Grid { exact: true, ..Grid::new(voxel, Grid::EVERYWHERE, 0.0, 1.0).unwrap() };
         for end in ends.iter().map(offset).filter(|v| v.norm() > 0.0) {
             let beam = Beam { offset: end, returned: true };
             let patch = Patch::encode(0, Vec3::new(1.0, -2.0, 0.5), 0.01, 1e-4, &[beam]).unwrap();

@@ -1,5 +1,8 @@
 //! Eight by eight by eight voxels.
 
+use super::blocks::Bits;
+use crate::error::{Error, Result};
+
 /// Voxels along an edge of a block.
 pub const EDGE: i64 = 8;
 
@@ -17,6 +20,24 @@ pub enum State {
 }
 
 impl State {
+    /// SQL text: `occupied`, `ambiguous`, `empty`, `unknown`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Occupied => "occupied",
+            Self::Ambiguous => "ambiguous",
+            Self::Empty => "empty",
+            Self::Unknown => "unknown",
+        }
+    }
+
+    /// Reads [`State::name`].
+    pub fn parse(text: &str) -> Result<Self> {
+        [Self::Occupied, Self::Ambiguous, Self::Empty, Self::Unknown]
+            .into_iter()
+            .find(|s| s.name() == text)
+            .ok_or_else(|| Error::argument("a state", "occupied, ambiguous, empty or unknown", text))
+    }
+
     /// Whether something is there.
     pub fn is_occupied(self) -> bool {
         matches!(self, Self::Occupied | Self::Ambiguous)
@@ -27,7 +48,7 @@ impl State {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Block {
     /// Voxels that a beam passed through.
-    pub traversed: [u64; 8],
+    pub traversed: Bits,
     /// Returns in each voxel, as many as 255; `None` where there is none.
     pub hits: Option<Box<[u8; 512]>>,
 }
@@ -39,10 +60,10 @@ impl Block {
         (z * 8 + y) * 8 + x
     }
 
-    /// Adds a return.
-    pub fn hit(&mut self, slot: usize) {
+    /// Adds returns.
+    pub fn hit(&mut self, slot: usize, returns: u8) {
         let count = &mut self.hits.get_or_insert_with(|| Box::new([0; 512]))[slot];
-        *count = count.saturating_add(1);
+        *count = count.saturating_add(returns);
     }
 
     /// Notes that a beam passed through.
@@ -53,6 +74,21 @@ impl Block {
     /// Returns in a voxel.
     pub fn count(&self, slot: usize) -> u8 {
         self.hits.as_ref().map_or(0, |h| h[slot])
+    }
+
+    /// Voxels with at least `threshold` returns.
+    pub fn occupied(&self, threshold: u8) -> Bits {
+        let Some(hits) = &self.hits else { return [0; 8] };
+        std::array::from_fn(|word| {
+            let counts = hits[64 * word..64 * word + 64].iter().enumerate();
+            counts.fold(0, |bits, (i, &n)| bits | u64::from(n >= threshold.max(1)) << i)
+        })
+    }
+
+    /// Voxels with a return or a traversal.
+    pub fn known(&self) -> Bits {
+        let hit = self.occupied(1);
+        std::array::from_fn(|word| self.traversed[word] | hit[word])
     }
 
     /// State of a voxel: occupied from `threshold` returns on.
@@ -86,12 +122,12 @@ mod tests {
         let slot = Block::slot([-1, 9, 3]);
         assert_eq!(slot, (3 * 8 + 1) * 8 + 7);
         assert_eq!(b.state(slot, 1), State::Unknown);
-        b.hit(slot);
-        b.hit(slot);
+        b.hit(slot, 1);
+        b.hit(slot, 1);
         assert_eq!((b.state(slot, 2), b.state(slot, 3)), (State::Occupied, State::Unknown));
         b.traverse(slot);
         assert_eq!((b.state(slot, 2), b.state(slot, 3)), (State::Ambiguous, State::Empty));
-        (0..300).for_each(|_| b.hit(slot));
+        (0..300).for_each(|_| b.hit(slot, 1));
         assert_eq!(b.count(slot), 255);
         let mut sum = b.clone();
         sum.add(&b);

@@ -39,7 +39,7 @@ impl Occupancy {
         for i in (0..content.len()).filter(|&i| content.beams[i].returned) {
             let voxel = self.grid.index(&(header.origin + content.end(i)))?;
             if self.span.holds(voxel) {
-                self.hit(voxel);
+                self.hit(voxel, 1);
             }
         }
         Ok(())

@@ -1,7 +1,10 @@
 //! The lattice, and the tile of it that is looked at.
 
+use super::block::EDGE;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
+use crate::num::bytes::{Put, Reader};
+use crate::num::text::number;
 use crate::scan::NO_RETURN_REACH_M;
 
 /// Voxels of edge `voxel`; number `i` reaches from `i · voxel` to `(i + 1) · voxel` on every axis. SQL's `ab_grid`.
@@ -15,11 +18,17 @@ pub struct Grid {
     pub margin: f64,
     /// A beam without return says "empty" up to this range, metres.
     pub no_return_range: f64,
+    /// Only voxels that a beam itself passes are empty; else those between neighbouring beams of a patch are too.
+    pub exact: bool,
 }
 
 impl Grid {
     /// Numbers of voxels keep within this, so that those of blocks fit in 32 bits.
     const MAX_INDEX: f64 = 1e9;
+    /// Bytes of [`Grid::write`].
+    pub const LEN: usize = 80;
+    /// Default of [`Grid::margin`]: three standard deviations of range (2 mm) and registration (2 mm), and a little.
+    pub const MARGIN_M: f64 = 0.01;
     /// The coordinates that a lattice reaches, metres, where the tile is "all".
     pub const EVERYWHERE: Aabb = Aabb { min: [f64::NEG_INFINITY; 3], max: [f64::INFINITY; 3] };
 
@@ -37,7 +46,87 @@ impl Grid {
         if (0..3).any(|i| tile.min[i].is_nan() || tile.max[i].is_nan() || tile.min[i] > tile.max[i]) {
             return Err(Error::argument("the tile", "a box", tile.to_text()));
         }
-        Ok(Self { voxel, tile, margin, no_return_range })
+        let grid = Self { voxel, tile, margin, no_return_range, exact: false };
+        for corner in [tile.min, tile.max].into_iter().filter(|c| c.iter().all(|x| x.is_finite())) {
+            grid.index(&corner.into())?;
+        }
+        Ok(grid)
+    }
+
+    /// Whether voxels of both are the same voxels.
+    pub fn same_lattice(&self, other: &Self) -> Result<()> {
+        if self.voxel == other.voxel {
+            return Ok(());
+        }
+        let reason = format!("voxels of {} m and of {} m", self.voxel, other.voxel);
+        Err(Error::Lattice { reason })
+    }
+
+    /// Whether what beams say was gathered by the same rules.
+    pub fn same_rules(&self, other: &Self) -> Result<()> {
+        self.same_lattice(other)?;
+        let rules = |g: &Self| format!("margin {}, no_return_range {}, exact {}", g.margin, g.no_return_range, g.exact);
+        if rules(self) == rules(other) {
+            return Ok(());
+        }
+        Err(Error::Lattice { reason: format!("{} and {}", rules(self), rules(other)) })
+    }
+
+    /// Whether the tile has a border.
+    pub fn is_bounded(&self) -> bool {
+        self.tile != Self::EVERYWHERE
+    }
+
+    /// Volume of a voxel, m³.
+    pub fn voxel_volume(&self) -> f64 {
+        self.voxel.powi(3)
+    }
+
+    /// Appends voxel, tile, margin and no-return range, 9×f64, and a u64 that is 1 for exact.
+    pub fn write(&self, out: &mut Vec<u8>) {
+        let numbers =
+            [&[self.voxel][..], &self.tile.min, &self.tile.max, &[self.margin, self.no_return_range]].concat();
+        numbers.iter().for_each(|&n| out.put_f64(n));
+        out.put_i64(i64::from(self.exact));
+    }
+
+    /// Reads what [`Grid::write`] wrote.
+    pub fn read(r: &mut Reader) -> Result<Self> {
+        let voxel = r.f64()?;
+        let tile = Aabb { min: r.vec3()?.into(), max: r.vec3()?.into() };
+        let grid = Self::new(voxel, tile, r.f64()?, r.f64()?)?;
+        match r.i64()? {
+            0 => Ok(grid),
+            1 => Ok(Self { exact: true, ..grid }),
+            n => Err(r.bad(format!("flags {n} of a grid"))),
+        }
+    }
+
+    /// Text form: `voxel=0.01 margin=0.01 no_return_range=30 exact=false tile=all`.
+    pub fn to_text(&self) -> String {
+        let tile = if self.is_bounded() { self.tile.to_text() } else { "all".into() };
+        let [voxel, margin, range] = [self.voxel, self.margin, self.no_return_range].map(number);
+        format!("voxel={voxel} margin={margin} no_return_range={range} exact={} tile={tile}", self.exact)
+    }
+
+    /// Reads [`Grid::to_text`]'s form; what is not named keeps its default, but for the voxel. The tile comes last.
+    pub fn from_text(text: &str) -> Result<Self> {
+        let bad = || Error::syntax("ab_grid", text);
+        let (words, tile) = text.split_once("tile=").unwrap_or((text, "all"));
+        let tile = if tile.trim() == "all" { Self::EVERYWHERE } else { Aabb::from_text(tile)? };
+        let (mut voxel, mut margin, mut range, mut exact) = (None, Self::MARGIN_M, NO_RETURN_REACH_M, false);
+        for word in words.split_whitespace() {
+            let (name, value) = word.split_once('=').ok_or_else(bad)?;
+            let number = || value.parse::<f64>().map_err(|_| bad());
+            match name {
+                "voxel" => voxel = Some(number()?),
+                "margin" => margin = number()?,
+                "no_return_range" => range = number()?,
+                "exact" => exact = value.parse().map_err(|_| bad())?,
+                _ => return Err(bad()),
+            }
+        }
+        Ok(Self { exact, ..Self::new(voxel.ok_or_else(bad)?, tile, margin, range)? })
     }
 
     /// Number of the voxel that holds a point; an error beyond the lattice.
@@ -74,6 +163,30 @@ impl Span {
     pub fn holds(&self, voxel: [i64; 3]) -> bool {
         (0..3).all(|axis| (self.0[axis][0]..self.0[axis][1]).contains(&voxel[axis]))
     }
+
+    /// The voxels of both.
+    pub fn common(&self, other: &Self) -> Self {
+        Self([0, 1, 2].map(|axis| {
+            let ([a, b], [c, d]) = (self.0[axis], other.0[axis]);
+            [a.max(c), b.min(d).max(a.max(c))]
+        }))
+    }
+
+    /// Whether it holds no voxel.
+    pub fn is_empty(&self) -> bool {
+        self.0.iter().any(|[first, end]| first >= end)
+    }
+
+    /// Which voxels of a block belong to it, as the words of [`super::Block`].
+    pub fn of_block(&self, key: [i32; 3]) -> [u64; 8] {
+        let inside = [0, 1, 2].map(|axis| {
+            let first = i64::from(key[axis]) * EDGE;
+            let [low, end] = self.0[axis].map(|i| (i - first).clamp(0, EDGE));
+            if low < end { ((1u64 << end) - 1) & !((1u64 << low) - 1) } else { 0 }
+        });
+        let plane = (0..8).filter(|y| inside[1] >> y & 1 == 1).fold(0u64, |m, y| m | inside[0] << (8 * y));
+        std::array::from_fn(|z| if inside[2] >> z & 1 == 1 { plane } else { 0 })
+    }
 }
 
 #[cfg(test)]
@@ -94,12 +207,39 @@ mod tests {
     }
 
     #[test]
+    fn text_and_bytes_round_trip() {
+        let tile = Aabb { min: [0.0, -1.0, 2.0], max: [20.0, 19.0, 22.0] };
+        for tile in [tile, Grid::EVERYWHERE] {
+            let grid = Grid { exact: tile == Grid::EVERYWHERE, ..Grid::new(0.02, tile, 0.003, 12.5).unwrap() };
+            assert_eq!(Grid::from_text(&grid.to_text()).unwrap(), grid);
+            let mut bytes = Vec::new();
+            grid.write(&mut bytes);
+            assert_eq!((bytes.len(), Grid::read(&mut Reader::new(&bytes, "test"))), (Grid::LEN, Ok(grid)));
+        }
+        for bad in ["", "voxel", "voxel=x", "margin=1", "voxel=0.01 colour=red", "voxel=0.01 tile=none", "voxel=-1"] {
+            assert!(Grid::from_text(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn part_of_a_block() {
+        let span = Span([[-3, 5], [0, 100], [7, 8]]);
+        let bits = span.of_block([0, 0, 0]);
+        assert_eq!(bits[..7], [0; 7]);
+        assert_eq!(bits[7], 0x1f1f_1f1f_1f1f_1f1f);
+        assert_eq!(span.of_block([-1, 3, 0])[7], 0xe0e0_e0e0_e0e0_e0e0);
+        assert_eq!(span.of_block([1, 0, 0]), [0; 8]);
+    }
+
+    #[test]
     fn wrong_numbers() {
         let all = Grid::EVERYWHERE;
         for voxel in [0.0, -1.0, f64::NAN, 1e-9, f64::INFINITY] {
             assert!(Grid::new(voxel, all, 0.0, 0.0).is_err());
         }
         assert!(Grid::new(0.01, Aabb::EMPTY, 0.0, 0.0).is_err());
+        let wide = Aabb { min: [0.0; 3], max: [2e6; 3] };
+        assert!(matches!(Grid::new(0.001, wide, 0.0, 0.0), Err(Error::Limit { .. })));
         let grid = Grid::new(0.001, all, 0.0, 0.0).unwrap();
         assert!(grid.index(&Vec3::repeat(6e5)).is_ok());
         assert!(matches!(grid.index(&Vec3::repeat(6e6)), Err(Error::Limit { .. })));

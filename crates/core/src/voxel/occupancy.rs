@@ -1,8 +1,7 @@
 //! What an epoch's beams say of a tile of space: SQL's `ab_occupancy`.
 
-use std::collections::HashMap;
-
-use super::block::{Block, EDGE, State};
+use super::block::{Block, State};
+use super::blocks::{Bits, BlockMap, block_of, in_order, slots, voxel_at};
 use super::grid::{Grid, Span};
 use crate::error::{Error, Result};
 use crate::{Interrupt, poll_now_and_then};
@@ -17,7 +16,9 @@ pub struct Occupancy {
     pub(super) grid: Grid,
     /// The voxels of the grid's tile.
     pub(super) span: Span,
-    pub(super) blocks: HashMap<[i32; 3], Block>,
+    /// A drawn model: what it does not hold is empty, everywhere in the tile.
+    pub(super) model: bool,
+    pub(super) blocks: BlockMap<Block>,
     /// Blocks with counts.
     counted: usize,
 }
@@ -25,7 +26,17 @@ pub struct Occupancy {
 impl Occupancy {
     /// Nothing is known.
     pub fn new(grid: Grid) -> Self {
-        Self { grid, span: grid.span(), blocks: HashMap::new(), counted: 0 }
+        Self { grid, span: grid.span(), model: false, blocks: BlockMap::default(), counted: 0 }
+    }
+
+    /// A drawn model that fills no voxel yet.
+    pub fn of_model(grid: Grid) -> Self {
+        Self { model: true, ..Self::new(grid) }
+    }
+
+    /// Whether it is a drawn model, of which everything is known.
+    pub fn is_model(&self) -> bool {
+        self.model
     }
 
     /// The lattice and the tile.
@@ -33,22 +44,16 @@ impl Occupancy {
         &self.grid
     }
 
-    /// Number of the block that holds a voxel.
-    pub fn block_of(voxel: [i64; 3]) -> [i32; 3] {
-        voxel.map(|i| i.div_euclid(EDGE) as i32)
-    }
-
     /// State of a voxel.
     pub fn state(&self, voxel: [i64; 3], threshold: u8) -> State {
-        let block = self.blocks.get(&Self::block_of(voxel));
-        block.map_or(State::Unknown, |b| b.state(Block::slot(voxel), threshold))
+        let known = self.blocks.get(&block_of(voxel)).map(|b| b.state(Block::slot(voxel), threshold));
+        let of_none = if self.model && self.span.holds(voxel) { State::Empty } else { State::Unknown };
+        known.filter(|&state| state != State::Unknown).unwrap_or(of_none)
     }
 
     /// The blocks of which something is known, in the order of their numbers.
     pub fn sorted(&self) -> Vec<([i32; 3], &Block)> {
-        let mut all: Vec<_> = self.blocks.iter().map(|(key, block)| (*key, block)).collect();
-        all.sort_unstable_by_key(|(key, _)| *key);
-        all
+        in_order(&self.blocks)
     }
 
     /// Calls `visit(voxel, state, returns)` for every voxel that is not unknown.
@@ -60,23 +65,24 @@ impl Occupancy {
     ) -> Result<()> {
         for (round, (key, block)) in self.sorted().into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
-            for slot in 0..512 {
+            for slot in slots(&block.known()) {
                 let state = block.state(slot, threshold);
                 if state != State::Unknown {
-                    let within = [slot % 8, slot / 8 % 8, slot / 64];
-                    let voxel = [0, 1, 2].map(|i| i64::from(key[i]) * EDGE + within[i] as i64);
-                    visit(voxel, state, block.count(slot));
+                    visit(voxel_at(key, slot), state, block.count(slot));
                 }
             }
         }
         Ok(())
     }
 
-    /// Adds another of the same lattice and tile.
+    /// Adds another of the same lattice and rules; the tile grows to hold both.
     pub fn merge(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
-        if self.grid != other.grid {
-            return Err(Error::Mismatch { reason: "their grids differ".into() });
+        self.grid.same_rules(&other.grid)?;
+        if self.model != other.model {
+            return Err(Error::Lattice { reason: "one is a drawn model, the other what beams saw".into() });
         }
+        self.grid.tile = self.grid.tile.union(&other.grid.tile);
+        self.span = self.grid.span();
         for (round, (key, theirs)) in other.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             match self.blocks.get_mut(key) {
@@ -97,11 +103,7 @@ impl Occupancy {
 
     /// Fails where more than `most` bytes are in memory.
     pub fn check_memory(&self, most: usize) -> Result<()> {
-        if self.memory() <= most {
-            return Ok(());
-        }
-        let mib = |bytes: usize| format!("{} MiB", bytes >> 20);
-        Err(Error::Limit { what: "the memory of a voxel grid", value: mib(self.memory()), limit: mib(most) })
+        check_memory(self.memory(), most)
     }
 
     /// Puts a block that is not there yet.
@@ -112,13 +114,37 @@ impl Occupancy {
         }
     }
 
-    pub(super) fn hit(&mut self, voxel: [i64; 3]) {
-        let block = self.blocks.entry(Self::block_of(voxel)).or_default();
+    /// Nothing is known yet, on another grid.
+    pub(super) fn empty_on(&self, grid: Grid) -> Self {
+        Self { model: self.model, ..Self::new(grid) }
+    }
+
+    pub(super) fn hit(&mut self, voxel: [i64; 3], returns: u8) {
+        let block = self.blocks.entry(block_of(voxel)).or_default();
         self.counted += usize::from(block.hits.is_none());
-        block.hit(Block::slot(voxel));
+        block.hit(Block::slot(voxel), returns);
     }
 
     pub(super) fn traverse(&mut self, voxel: [i64; 3]) {
-        self.blocks.entry(Self::block_of(voxel)).or_default().traverse(Block::slot(voxel));
+        self.blocks.entry(block_of(voxel)).or_default().traverse(Block::slot(voxel));
     }
+
+    /// Notes voxels of a block as traversed, as far as they belong to the tile.
+    pub(super) fn traverse_block(&mut self, key: [i32; 3], bits: &Bits) {
+        let inside = self.span.of_block(key);
+        let masked: Bits = std::array::from_fn(|z| bits[z] & inside[z]);
+        if masked.iter().any(|&w| w != 0) {
+            let block = self.blocks.entry(key).or_default();
+            block.traversed.iter_mut().zip(masked).for_each(|(a, b)| *a |= b);
+        }
+    }
+}
+
+/// Fails where a voxel grid of `bytes` is larger than `most`.
+pub(super) fn check_memory(bytes: usize, most: usize) -> Result<()> {
+    if bytes <= most {
+        return Ok(());
+    }
+    let mib = |bytes: usize| format!("{} MiB", bytes.div_ceil(1 << 20));
+    Err(Error::Limit { what: "the memory of a voxel grid", value: mib(bytes), limit: mib(most) })
 }

@@ -2,6 +2,7 @@
 //! that stays in the cache, a run of voxels at a time, and from there block by block into the occupancy.
 
 use super::block::EDGE;
+use super::blocks::{Bits, block_of};
 use super::grid::Grid;
 use super::occupancy::Occupancy;
 use crate::Result;
@@ -244,7 +245,7 @@ impl BitMap {
                     local[frame.across[1]] = self.first[1] + w;
                     // Byte i of word j: bits along the axis, i and j across it.
                     let bits = rows.map(|r| u64::from_le_bytes(r.map(|word| (word >> (8 * part)) as u8)));
-                    occupancy.traverse_block(base.world(local), &oriented(bits, frame.along));
+                    occupancy.traverse_block(block_of(base.world(local)), &oriented(bits, frame.along));
                 }
             }
         }
@@ -252,7 +253,7 @@ impl BitMap {
 }
 
 /// From (bit, byte, word) = (along, across, across) to (x, y, z).
-fn oriented(bits: [u64; 8], along: usize) -> [u64; 8] {
+fn oriented(bits: Bits, along: usize) -> Bits {
     match along {
         0 => bits,
         1 => bits.map(transposed),
@@ -272,25 +273,4 @@ fn transposed(x: u64) -> u64 {
     let x = swap(x, 7, 0x00aa_00aa_00aa_00aa);
     let x = swap(x, 14, 0x0000_cccc_0000_cccc);
     swap(x, 28, 0x0000_0000_f0f0_f0f0)
-}
-
-impl Occupancy {
-    /// Notes voxels of the block that begins at `first` as traversed, as far as they belong to the tile.
-    fn traverse_block(&mut self, first: [i64; 3], bits: &[u64; 8]) {
-        let spans = [0, 1, 2].map(|axis| {
-            let [low, end] = self.span.0[axis];
-            [(low - first[axis]).clamp(0, EDGE), (end - first[axis]).clamp(0, EDGE)]
-        });
-        if spans.iter().any(|[low, end]| low >= end) {
-            return;
-        }
-        let inside = |axis: usize| ((1u64 << spans[axis][1]) - 1) & !((1u64 << spans[axis][0]) - 1);
-        let row = inside(0);
-        let plane = (0..8).filter(|y| inside(1) >> y & 1 == 1).fold(0u64, |m, y| m | row << (8 * y));
-        let masked: [u64; 8] = std::array::from_fn(|z| if inside(2) >> z & 1 == 1 { bits[z] & plane } else { 0 });
-        if masked.iter().any(|&w| w != 0) {
-            let block = self.blocks.entry(Self::block_of(first)).or_default();
-            block.traversed.iter_mut().zip(masked).for_each(|(a, b)| *a |= b);
-        }
-    }
 }

@@ -1,0 +1,147 @@
+//! The stored form of change: SQL's `ab_change`.
+
+use super::block_bytes::{ABOVE_THE_LAST, Form, TileHeader, read_bits, read_key, seal, write_bits, write_key};
+use super::blocks::in_order;
+use super::change::{Change, Settings};
+use super::class::Classes;
+use crate::error::Result;
+use crate::num::bytes::Put;
+use crate::{Interrupt, poll_now_and_then};
+
+const FORM: Form = Form { ty: "ab_change", letter: b'C', version: Change::VERSION };
+
+/// Flag of a block whose voxels are all of classes below 4: its third plane is not written.
+const TWO_PLANES: u8 = 2;
+
+impl Change {
+    /// Layout version written by this release.
+    pub const VERSION: u8 = 1;
+
+    /// The stored and transmitted form; equal changes have equal bytes.
+    ///
+    /// Little-endian: the header (its notes: 1 against a model, the threshold), the tolerance f64, then per block, in the
+    /// order of their numbers, a byte of flags, its number as occupancy has it, and two or three planes of bits.
+    pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
+        let sorted = in_order(&self.blocks);
+        let keys: Vec<[i32; 3]> = sorted.iter().map(|(key, _)| *key).collect();
+        let mut out = Vec::with_capacity(TileHeader::LEN + 24 * sorted.len());
+        let notes = [u8::from(self.against_model), self.settings.threshold];
+        FORM.start(notes, &self.grid, &keys, &mut out);
+        out.put_f64(self.settings.tolerance);
+        let mut last = [0i32; 3];
+        for (round, (key, classes)) in sorted.into_iter().enumerate() {
+            poll_now_and_then(round, interrupt)?;
+            let two = classes.0[2] == [0; 8];
+            write_key(key, last, if two { TWO_PLANES } else { 0 }, &mut out);
+            let planes = if two { 2 } else { 3 };
+            classes.0[..planes].iter().for_each(|bits| write_bits(bits, &mut out));
+            last = key;
+        }
+        seal(&mut out);
+        Ok(out)
+    }
+
+    /// The header alone.
+    pub fn header(bytes: &[u8]) -> Result<TileHeader> {
+        Ok(FORM.open(bytes)?.1)
+    }
+
+    /// Reads bytes, foreign ones too; no more than about `most_memory` bytes are allocated.
+    pub fn from_bytes(bytes: &[u8], most_memory: usize, interrupt: Interrupt) -> Result<Self> {
+        let (mut r, header) = FORM.open_sealed(bytes)?;
+        let settings = Settings { threshold: header.notes[1], tolerance: r.f64()? };
+        if header.notes[0] > 1 || settings.threshold == 0 || !(0.0..=1e4).contains(&settings.tolerance) {
+            return Err(r.bad(format!("notes {:?}, tolerance {}", header.notes, settings.tolerance)));
+        }
+        let against_model = header.notes[0] == 1;
+        let mut out = Self { grid: header.grid, settings, against_model, blocks: Default::default() };
+        let mut last = None;
+        for round in 0..header.blocks {
+            poll_now_and_then(round as usize, interrupt)?;
+            let (flags, key) = read_key(&mut r, last, &header)?;
+            if flags & !(ABOVE_THE_LAST | TWO_PLANES) != 0 {
+                return Err(r.bad(format!("flags {flags:#04x} of a block")));
+            }
+            let mut classes = Classes::default();
+            let planes = if flags & TWO_PLANES != 0 { 2 } else { 3 };
+            for plane in &mut classes.0[..planes] {
+                *plane = read_bits(&mut r)?;
+            }
+            if !classes.are_valid() {
+                return Err(r.bad("a class that does not exist"));
+            }
+            out.blocks.insert(key, classes);
+            out.check_memory(most_memory)?;
+            last = Some(key);
+        }
+        r.finish()?;
+        Ok(out)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::NEVER;
+    use crate::error::Error;
+    use crate::voxel::{Class, Grid};
+    use proptest::prelude::*;
+
+    const MOST: usize = 1 << 24;
+
+    fn any_change() -> impl Strategy<Value = Change> {
+        let voxel = (prop::array::uniform3(-3i32..3), 0usize..512, 0usize..5);
+        (prop::collection::vec(voxel, 0..300), 1u8.., any::<bool>()).prop_map(|(voxels, threshold, against_model)| {
+            let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.01, 5.0).unwrap();
+            let settings = Settings { threshold, tolerance: 0.01 };
+            let mut c = Change { grid, settings, against_model, blocks: Default::default() };
+            for (key, slot, class) in voxels {
+                let classes = c.blocks.entry(key).or_default();
+                if classes.get(slot).is_none() {
+                    classes.set(slot, Class::ALL[class]);
+                }
+            }
+            c
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn bytes_round_trip(c in any_change()) {
+            let bytes = c.to_bytes(NEVER).unwrap();
+            let back = Change::from_bytes(&bytes, MOST, NEVER).unwrap();
+            prop_assert_eq!(&back, &c);
+            prop_assert_eq!(back.to_bytes(NEVER).unwrap(), bytes);
+        }
+
+        #[test]
+        fn damage_is_noticed(c in any_change(), at in any::<usize>(), x in 1u8.., cut in 0usize..3) {
+            let mut bytes = c.to_bytes(NEVER).unwrap();
+            let n = bytes.len();
+            bytes[at % n] ^= x;
+            bytes.truncate(n - cut);
+            prop_assert!(Change::from_bytes(&bytes, MOST, NEVER).is_err());
+        }
+
+        #[test]
+        fn nonsense_under_a_right_checksum(c in any_change(), flips in prop::collection::vec((8usize.., any::<u8>()), 1..9)) {
+            let mut bytes = c.to_bytes(NEVER).unwrap();
+            let n = bytes.len();
+            flips.into_iter().for_each(|(at, x)| bytes[8 + at % (n - 8)] = x);
+            seal(&mut bytes);
+            let _ = Change::from_bytes(&bytes, MOST, NEVER);
+        }
+    }
+
+    #[test]
+    fn memory_is_bounded() {
+        let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.01, 5.0).unwrap();
+        let settings = Settings { threshold: 3, tolerance: 0.0 };
+        let mut c = Change { grid, settings, against_model: false, blocks: Default::default() };
+        (0..5000).for_each(|i| {
+            c.blocks.entry([0, 0, i]).or_default().set(3, Class::New);
+        });
+        let bytes = c.to_bytes(NEVER).unwrap();
+        assert!(matches!(Change::from_bytes(&bytes, 100_000, NEVER), Err(Error::Limit { .. })));
+    }
+}
