@@ -266,3 +266,357 @@ COMMENT ON FUNCTION ab_solid_from_ewkb(bytea) IS 'A solid from WKB or EWKB of a 
 CREATE FUNCTION ab_as_ewkb(solid ab_solid, tin boolean DEFAULT false) RETURNS bytea
     AS 'MODULE_PATHNAME', 'ab_solid_as_ewkb' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000;
 COMMENT ON FUNCTION ab_as_ewkb(ab_solid, boolean) IS 'EWKB of a solid as POLYHEDRALSURFACE Z, or as TIN Z; one face a triangle, no SRID';
+-- Voxels.
+
+CREATE TYPE ab_grid;
+CREATE FUNCTION ab_grid_in(cstring) RETURNS ab_grid AS 'MODULE_PATHNAME', 'ab_grid_in' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION ab_grid_out(ab_grid) RETURNS cstring AS 'MODULE_PATHNAME', 'ab_grid_out' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION ab_grid_recv(internal) RETURNS ab_grid AS 'MODULE_PATHNAME', 'ab_grid_recv' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION ab_grid_send(ab_grid) RETURNS bytea AS 'MODULE_PATHNAME', 'ab_grid_send' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_grid_in(cstring) IS 'Text input of ab_grid';
+COMMENT ON FUNCTION ab_grid_out(ab_grid) IS 'Text output of ab_grid';
+COMMENT ON FUNCTION ab_grid_recv(internal) IS 'Binary input of ab_grid';
+COMMENT ON FUNCTION ab_grid_send(ab_grid) IS 'Binary output of ab_grid';
+CREATE TYPE ab_grid (INPUT = ab_grid_in, OUTPUT = ab_grid_out, RECEIVE = ab_grid_recv, SEND = ab_grid_send, INTERNALLENGTH = 80, ALIGNMENT = double);
+COMMENT ON TYPE ab_grid IS 'A lattice of voxels and the tile of it that is looked at: see ab_grid()';
+
+CREATE TYPE ab_occupancy;
+CREATE FUNCTION ab_occupancy_in(cstring) RETURNS ab_occupancy AS 'MODULE_PATHNAME', 'ab_occupancy_in' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION ab_occupancy_out(ab_occupancy) RETURNS cstring AS 'MODULE_PATHNAME', 'ab_occupancy_out' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION ab_occupancy_recv(internal) RETURNS ab_occupancy AS 'MODULE_PATHNAME', 'ab_occupancy_recv' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION ab_occupancy_send(ab_occupancy) RETURNS bytea AS 'MODULE_PATHNAME', 'ab_occupancy_send' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_occupancy_in(cstring) IS 'Text input of ab_occupancy';
+COMMENT ON FUNCTION ab_occupancy_out(ab_occupancy) IS 'Text output of ab_occupancy';
+COMMENT ON FUNCTION ab_occupancy_recv(internal) IS 'Binary input of ab_occupancy';
+COMMENT ON FUNCTION ab_occupancy_send(ab_occupancy) IS 'Binary output of ab_occupancy';
+CREATE TYPE ab_occupancy (INPUT = ab_occupancy_in, OUTPUT = ab_occupancy_out, RECEIVE = ab_occupancy_recv, SEND = ab_occupancy_send, INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = external, ANALYZE = ab_typanalyze);
+COMMENT ON TYPE ab_occupancy IS 'What the beams of an epoch say of the voxels of a tile: returns in each, and whether a beam passed; or a drawn model in voxels';
+
+CREATE TYPE ab_change;
+CREATE FUNCTION ab_change_in(cstring) RETURNS ab_change AS 'MODULE_PATHNAME', 'ab_change_in' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION ab_change_out(ab_change) RETURNS cstring AS 'MODULE_PATHNAME', 'ab_change_out' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION ab_change_recv(internal) RETURNS ab_change AS 'MODULE_PATHNAME', 'ab_change_recv' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION ab_change_send(ab_change) RETURNS bytea AS 'MODULE_PATHNAME', 'ab_change_send' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_change_in(cstring) IS 'Text input of ab_change';
+COMMENT ON FUNCTION ab_change_out(ab_change) IS 'Text output of ab_change';
+COMMENT ON FUNCTION ab_change_recv(internal) IS 'Binary input of ab_change';
+COMMENT ON FUNCTION ab_change_send(ab_change) IS 'Binary output of ab_change';
+CREATE TYPE ab_change (INPUT = ab_change_in, OUTPUT = ab_change_out, RECEIVE = ab_change_recv, SEND = ab_change_send, INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = external, ANALYZE = ab_typanalyze);
+COMMENT ON TYPE ab_change IS 'Voxels of a tile that are occupied in at least one of two epochs (or in the model), and what became of them';
+
+CREATE FUNCTION ab_grid(voxel float8 DEFAULT 0.01, tile ab_box DEFAULT NULL, margin float8 DEFAULT 0.01, no_return_range float8 DEFAULT 0, exact boolean DEFAULT false) RETURNS ab_grid
+    AS 'MODULE_PATHNAME', 'ab_grid_make' LANGUAGE c IMMUTABLE PARALLEL SAFE;
+COMMENT ON FUNCTION ab_grid(float8, ab_box, float8, float8, boolean) IS 'Voxels of an edge (metres) on the lattice of the reference system, those of a tile or all; a beam says empty up to the margin before its return (for noise and registration), without return up to no_return_range; exact: only voxels that a beam itself passes are empty, not those between neighbouring beams of a patch';
+
+CREATE FUNCTION ab_grid(occupancy ab_occupancy) RETURNS ab_grid
+    AS 'MODULE_PATHNAME', 'ab_occupancy_grid' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_grid(ab_occupancy) IS 'Lattice, tile and rules of an occupancy';
+
+CREATE FUNCTION ab_grid(change ab_change) RETURNS ab_grid
+    AS 'MODULE_PATHNAME', 'ab_change_grid' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_grid(ab_change) IS 'Lattice and tile of a change';
+
+CREATE FUNCTION ab_tiles(area ab_box, size float8) RETURNS SETOF ab_box
+    AS 'MODULE_PATHNAME', 'ab_tiles' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE ROWS 100;
+COMMENT ON FUNCTION ab_tiles(ab_box, float8) IS 'The boxes of a lattice of tiles (edge in metres) that meet an area: neighbours share no voxel where the edge is a multiple of the voxel';
+
+CREATE FUNCTION ab_box(occupancy ab_occupancy) RETURNS ab_box
+    AS 'MODULE_PATHNAME', 'ab_tile_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_box(ab_occupancy) IS 'Box of the blocks of voxels of which something is known; NULL for none';
+
+CREATE FUNCTION ab_box(change ab_change) RETURNS ab_box
+    AS 'MODULE_PATHNAME', 'ab_tile_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_box(ab_change) IS 'Box of the blocks of voxels that have a class; NULL for none';
+
+
+CREATE FUNCTION ab_occupancy_accum(state internal, patch ab_scan, grid ab_grid) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_occupancy_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 2000000;
+COMMENT ON FUNCTION ab_occupancy_accum(internal, ab_scan, ab_grid) IS 'Transition of ab_occupancy_agg';
+
+CREATE FUNCTION ab_occupancy_combine(left_state internal, right_state internal) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_occupancy_combine' LANGUAGE c IMMUTABLE PARALLEL SAFE;
+COMMENT ON FUNCTION ab_occupancy_combine(internal, internal) IS 'Combine of ab_occupancy_agg';
+
+CREATE FUNCTION ab_occupancy_serial(state internal) RETURNS bytea
+    AS 'MODULE_PATHNAME', 'ab_occupancy_serial' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_occupancy_serial(internal) IS 'Serialisation of ab_occupancy_agg';
+
+CREATE FUNCTION ab_occupancy_deserial(bytes bytea, dummy internal) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_occupancy_deserial' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_occupancy_deserial(bytea, internal) IS 'Deserialisation of ab_occupancy_agg';
+
+CREATE FUNCTION ab_occupancy_final(state internal) RETURNS ab_occupancy
+    AS 'MODULE_PATHNAME', 'ab_occupancy_final' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
+COMMENT ON FUNCTION ab_occupancy_final(internal) IS 'Final of ab_occupancy_agg';
+
+CREATE AGGREGATE ab_occupancy_agg(patch ab_scan, grid ab_grid) (
+    SFUNC = ab_occupancy_accum, STYPE = internal, SSPACE = 50000000,
+    COMBINEFUNC = ab_occupancy_combine, SERIALFUNC = ab_occupancy_serial, DESERIALFUNC = ab_occupancy_deserial,
+    FINALFUNC = ab_occupancy_final, PARALLEL = SAFE);
+COMMENT ON AGGREGATE ab_occupancy_agg(ab_scan, ab_grid) IS 'Occupancy of the tile of a grid from patches, whatever their order; one grid a group. A NULL patch adds nothing. At most asbuilt.max_grid_memory at a time in every process';
+
+CREATE FUNCTION ab_occupancy_rollup_accum(state internal, occupancy ab_occupancy) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_occupancy_rollup_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 200000;
+COMMENT ON FUNCTION ab_occupancy_rollup_accum(internal, ab_occupancy) IS 'Transition of ab_rollup_agg';
+
+CREATE AGGREGATE ab_rollup_agg(occupancy ab_occupancy) (
+    SFUNC = ab_occupancy_rollup_accum, STYPE = internal, SSPACE = 50000000,
+    COMBINEFUNC = ab_occupancy_combine, SERIALFUNC = ab_occupancy_serial, DESERIALFUNC = ab_occupancy_deserial,
+    FINALFUNC = ab_occupancy_final, PARALLEL = SAFE);
+COMMENT ON AGGREGATE ab_rollup_agg(ab_occupancy) IS 'Adds up occupancy of one lattice: stations of an epoch, neighbouring tiles, solids of a model';
+
+CREATE FUNCTION ab_rollup(o1 ab_occupancy, o2 ab_occupancy) RETURNS ab_occupancy
+    AS 'MODULE_PATHNAME', 'ab_occupancy_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 400000;
+COMMENT ON FUNCTION ab_rollup(ab_occupancy, ab_occupancy) IS 'Adds up two occupancies of one lattice: as if all patches had been aggregated at once; NULL counts as nothing';
+
+CREATE FUNCTION ab_union(o1 ab_occupancy, o2 ab_occupancy) RETURNS ab_occupancy
+    AS 'MODULE_PATHNAME', 'ab_occupancy_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 400000;
+COMMENT ON FUNCTION ab_union(ab_occupancy, ab_occupancy) IS 'The same as ab_rollup';
+
+
+CREATE FUNCTION ab_state(occupancy ab_occupancy, x float8, y float8, z float8, threshold integer DEFAULT 3) RETURNS text
+    AS 'MODULE_PATHNAME', 'ab_occupancy_state' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000;
+COMMENT ON FUNCTION ab_state(ab_occupancy, float8, float8, float8, integer) IS 'State of the voxel that holds a point: occupied (as many returns as the threshold), ambiguous (the same, but beams passed too), empty, unknown';
+
+CREATE FUNCTION ab_voxels(occupancy ab_occupancy, states text[] DEFAULT '{occupied,ambiguous}', threshold integer DEFAULT 3, OUT x float8, OUT y float8, OUT z float8, OUT state text, OUT hits integer) RETURNS SETOF record
+    AS 'MODULE_PATHNAME', 'ab_occupancy_voxels' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 500000 ROWS 100000;
+COMMENT ON FUNCTION ab_voxels(ab_occupancy, text[], integer) IS 'Centres of the voxels of some states, with the returns in each (255 for more)';
+
+CREATE FUNCTION ab_slice(occupancy ab_occupancy, axis text, at float8, threshold integer DEFAULT 3) RETURNS integer[]
+    AS 'MODULE_PATHNAME', 'ab_occupancy_slice' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 200000;
+COMMENT ON FUNCTION ab_slice(ab_occupancy, text, float8, integer) IS 'The layer of voxels at a coordinate on an axis (x, y or z) as a picture: 0 unknown, 1 empty, 2 occupied, 3 ambiguous; rows along the later of the other axes, as far as anything is known';
+
+CREATE FUNCTION ab_summary(occupancy ab_occupancy, threshold integer DEFAULT 3, solid ab_solid DEFAULT NULL, OUT occupied bigint, OUT ambiguous bigint, OUT empty bigint, OUT unknown bigint, OUT occupied_m3 float8, OUT ambiguous_m3 float8, OUT empty_m3 float8, OUT unknown_m3 float8) RETURNS record
+    AS 'MODULE_PATHNAME', 'ab_occupancy_summary' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 200000;
+COMMENT ON FUNCTION ab_summary(ab_occupancy, integer, ab_solid) IS 'Voxels and cubic metres of each state, overall or of the voxels that a solid touches; unknown is NULL where neither tile nor solid says of how many';
+
+CREATE FUNCTION ab_denoise(occupancy ab_occupancy, neighbours integer DEFAULT 1, threshold integer DEFAULT 1) RETURNS ab_occupancy
+    AS 'MODULE_PATHNAME', 'ab_occupancy_denoise' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000000;
+COMMENT ON FUNCTION ab_denoise(ab_occupancy, integer, integer) IS 'Without the returns of voxels that have fewer occupied neighbours than that, of the 26 around';
+
+CREATE FUNCTION ab_downsample(occupancy ab_occupancy) RETURNS ab_occupancy
+    AS 'MODULE_PATHNAME', 'ab_occupancy_downsample' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000000;
+COMMENT ON FUNCTION ab_downsample(ab_occupancy) IS 'Voxels twice as large: returns added up, passed where one of the eight was passed';
+
+CREATE FUNCTION ab_voxelize(solid ab_solid, voxel float8, rule text DEFAULT 'centre', tile ab_box DEFAULT NULL) RETURNS ab_occupancy
+    AS 'MODULE_PATHNAME', 'ab_voxelize' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 1000000;
+COMMENT ON FUNCTION ab_voxelize(ab_solid, float8, text, ab_box) IS 'A solid as occupancy of which everything is known: the voxels whose centre lies inside (centre), that it touches (cover), or that its surface passes through (surface; the one rule for open surfaces); those of a tile or all';
+
+CREATE FUNCTION ab_voxel_accuracy(voxel float8, OUT max_error float8, OUT absolute ab_loa, OUT relative ab_loa, OUT relative_linear ab_loa) RETURNS record
+    AS 'MODULE_PATHNAME', 'ab_voxel_accuracy' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10;
+COMMENT ON FUNCTION ab_voxel_accuracy(float8) IS 'What voxels of an edge support: greatest error of a centre, half the diagonal (Meyer 4.1), and the finest levels of accuracy that hold it, for places and for distances (errors added as squares or linearly, 4.4 and 4.5)';
+
+
+CREATE FUNCTION ab_change(old ab_occupancy, new ab_occupancy, threshold integer DEFAULT 3, tolerance float8 DEFAULT NULL) RETURNS ab_change
+    AS 'MODULE_PATHNAME', 'ab_change_between' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 1000000;
+COMMENT ON FUNCTION ab_change(ab_occupancy, ab_occupancy, integer, float8) IS 'Voxels that are occupied in one of two epochs: confirmed, new, disappeared, unknown, ambiguous. A change counts only if the other epoch has nothing occupied within the tolerance (metres; NULL: the margin of the grids; 0: voxel by voxel). A model as old side: new means unmodelled, disappeared absent';
+
+CREATE FUNCTION ab_summary(change ab_change, solid ab_solid DEFAULT NULL, margin float8 DEFAULT NULL, OUT confirmed bigint, OUT new bigint, OUT disappeared bigint, OUT unknown bigint, OUT ambiguous bigint, OUT total bigint, OUT confirmed_m3 float8, OUT new_m3 float8, OUT disappeared_m3 float8, OUT unknown_m3 float8, OUT ambiguous_m3 float8, OUT total_m3 float8, OUT confirmed_share float8, OUT new_share float8, OUT disappeared_share float8, OUT unknown_share float8, OUT ambiguous_share float8) RETURNS record
+    AS 'MODULE_PATHNAME', 'ab_change_summary' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 200000;
+COMMENT ON FUNCTION ab_summary(ab_change, ab_solid, float8) IS 'Voxels, cubic metres and shares of each class (total: occupied in one of the epochs), overall or of the voxels that a solid touches or that lie within the margin of those (metres; NULL: the tolerance of the change); shares are NULL for none';
+
+CREATE FUNCTION ab_voxels(change ab_change, classes text[] DEFAULT NULL, OUT x float8, OUT y float8, OUT z float8, OUT class text) RETURNS SETOF record
+    AS 'MODULE_PATHNAME', 'ab_change_voxels' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 200000 ROWS 100000;
+COMMENT ON FUNCTION ab_voxels(ab_change, text[]) IS 'Centres of the voxels of some classes, or of all';
+
+CREATE FUNCTION ab_components(change ab_change, of_class text DEFAULT NULL, min_voxels integer DEFAULT 10, gap float8 DEFAULT NULL, OUT class text, OUT voxels bigint, OUT volume float8, OUT box ab_box, OUT centroid float8[]) RETURNS SETOF record
+    AS 'MODULE_PATHNAME', 'ab_change_components' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 500000 ROWS 20;
+COMMENT ON FUNCTION ab_components(ab_change, text, integer, float8) IS 'What is new or has disappeared (or is of the class named) as connected things of at least min_voxels, largest first; voxels hang together when the gap between them is less than that (metres; NULL: two voxels)';
+
+CREATE FUNCTION ab_rollup(c1 ab_change, c2 ab_change) RETURNS ab_change
+    AS 'MODULE_PATHNAME', 'ab_change_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 200000;
+COMMENT ON FUNCTION ab_rollup(ab_change, ab_change) IS 'Changes of two tiles as one; NULL counts as nothing';
+
+CREATE AGGREGATE ab_rollup_agg(change ab_change) (SFUNC = ab_rollup, STYPE = ab_change, COMBINEFUNC = ab_rollup, PARALLEL = SAFE);
+COMMENT ON AGGREGATE ab_rollup_agg(ab_change) IS 'Changes of tiles as one, so that ab_components sees what crosses their borders';
+
+CREATE FUNCTION ab_overlaps(a ab_occupancy, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_tile_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_overlaps(ab_occupancy, ab_box) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+
+CREATE FUNCTION ab_overlaps(a ab_box, b ab_occupancy) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_box_tile' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_overlaps(ab_box, ab_occupancy) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+
+CREATE FUNCTION ab_overlaps(a ab_occupancy, b ab_solid) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_tile_solid' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_overlaps(ab_occupancy, ab_solid) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+
+CREATE FUNCTION ab_overlaps(a ab_solid, b ab_occupancy) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_solid_tile' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_overlaps(ab_solid, ab_occupancy) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+
+CREATE FUNCTION ab_contains(a ab_occupancy, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_tile_contains' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_contains(ab_occupancy, ab_box) IS 'Does the box of an occupancy hold a box';
+
+CREATE FUNCTION ab_contained(a ab_occupancy, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_tile_contained' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_contained(ab_occupancy, ab_box) IS 'Does the box of an occupancy lie in a box';
+
+CREATE FUNCTION ab_same(a ab_occupancy, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_tile_same' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_same(ab_occupancy, ab_box) IS 'Is the box of an occupancy that box';
+
+CREATE FUNCTION ab_box_distance(a ab_occupancy, b ab_box) RETURNS float8
+    AS 'MODULE_PATHNAME', 'ab_tile_distance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_box_distance(ab_occupancy, ab_box) IS 'Least distance of the box of an occupancy from a box, metres';
+
+CREATE FUNCTION ab_box_distance(a ab_occupancy, b ab_point) RETURNS float8
+    AS 'MODULE_PATHNAME', 'ab_tile_distance_point' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_box_distance(ab_occupancy, ab_point) IS 'Least distance of the box of an occupancy from a point, metres';
+
+CREATE FUNCTION ab_contains(a ab_box, b ab_occupancy) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE STRICT COST 20
+    RETURN ab_contained(b, a);
+COMMENT ON FUNCTION ab_contains(ab_box, ab_occupancy) IS 'Does a box hold the box of an occupancy';
+
+CREATE FUNCTION ab_contained(a ab_box, b ab_occupancy) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE STRICT COST 20
+    RETURN ab_contains(b, a);
+COMMENT ON FUNCTION ab_contained(ab_box, ab_occupancy) IS 'Does a box lie in the box of an occupancy';
+
+CREATE OPERATOR && (LEFTARG = ab_occupancy, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
+COMMENT ON OPERATOR && (ab_occupancy, ab_box) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_occupancy, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
+COMMENT ON OPERATOR && (ab_box, ab_occupancy) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+CREATE OPERATOR && (LEFTARG = ab_occupancy, RIGHTARG = ab_solid, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
+COMMENT ON OPERATOR && (ab_occupancy, ab_solid) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+CREATE OPERATOR && (LEFTARG = ab_solid, RIGHTARG = ab_occupancy, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
+COMMENT ON OPERATOR && (ab_solid, ab_occupancy) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+CREATE OPERATOR @> (LEFTARG = ab_occupancy, RIGHTARG = ab_box, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
+COMMENT ON OPERATOR @> (ab_occupancy, ab_box) IS 'Does the box of an occupancy hold a box';
+CREATE OPERATOR <@ (LEFTARG = ab_occupancy, RIGHTARG = ab_box, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
+COMMENT ON OPERATOR <@ (ab_occupancy, ab_box) IS 'Does the box of an occupancy lie in a box';
+CREATE OPERATOR @> (LEFTARG = ab_box, RIGHTARG = ab_occupancy, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
+COMMENT ON OPERATOR @> (ab_box, ab_occupancy) IS 'Does a box hold the box of an occupancy';
+CREATE OPERATOR <@ (LEFTARG = ab_box, RIGHTARG = ab_occupancy, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
+COMMENT ON OPERATOR <@ (ab_box, ab_occupancy) IS 'Does a box lie in the box of an occupancy';
+CREATE OPERATOR ~= (LEFTARG = ab_occupancy, RIGHTARG = ab_box, FUNCTION = ab_same, RESTRICT = eqsel, JOIN = eqjoinsel);
+COMMENT ON OPERATOR ~= (ab_occupancy, ab_box) IS 'Is the box of an occupancy that box';
+CREATE OPERATOR <-> (LEFTARG = ab_occupancy, RIGHTARG = ab_box, FUNCTION = ab_box_distance);
+COMMENT ON OPERATOR <-> (ab_occupancy, ab_box) IS 'Least distance of the box of an occupancy from a box, metres; for nearest first';
+CREATE OPERATOR <-> (LEFTARG = ab_occupancy, RIGHTARG = ab_point, FUNCTION = ab_box_distance);
+COMMENT ON OPERATOR <-> (ab_occupancy, ab_point) IS 'Least distance of the box of an occupancy from a point, metres; for nearest first';
+
+CREATE FUNCTION ab_gist_consistent(entry internal, query ab_occupancy, strategy smallint, subtype oid, recheck internal) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_gist_consistent' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gist_consistent(internal, ab_occupancy, smallint, oid, internal) IS 'GiST support';
+
+CREATE FUNCTION ab_gist_distance(entry internal, query ab_occupancy, strategy smallint, subtype oid, recheck internal) RETURNS float8
+    AS 'MODULE_PATHNAME', 'ab_gist_distance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gist_distance(internal, ab_occupancy, smallint, oid, internal) IS 'GiST support';
+
+CREATE FUNCTION ab_overlaps(a ab_change, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_tile_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_overlaps(ab_change, ab_box) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+
+CREATE FUNCTION ab_overlaps(a ab_box, b ab_change) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_box_tile' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_overlaps(ab_box, ab_change) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+
+CREATE FUNCTION ab_overlaps(a ab_change, b ab_solid) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_tile_solid' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_overlaps(ab_change, ab_solid) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+
+CREATE FUNCTION ab_overlaps(a ab_solid, b ab_change) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_overlaps_solid_tile' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_overlaps(ab_solid, ab_change) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+
+CREATE FUNCTION ab_contains(a ab_change, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_tile_contains' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_contains(ab_change, ab_box) IS 'Does the box of a change hold a box';
+
+CREATE FUNCTION ab_contained(a ab_change, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_tile_contained' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_contained(ab_change, ab_box) IS 'Does the box of a change lie in a box';
+
+CREATE FUNCTION ab_same(a ab_change, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_tile_same' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_same(ab_change, ab_box) IS 'Is the box of a change that box';
+
+CREATE FUNCTION ab_box_distance(a ab_change, b ab_box) RETURNS float8
+    AS 'MODULE_PATHNAME', 'ab_tile_distance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_box_distance(ab_change, ab_box) IS 'Least distance of the box of a change from a box, metres';
+
+CREATE FUNCTION ab_box_distance(a ab_change, b ab_point) RETURNS float8
+    AS 'MODULE_PATHNAME', 'ab_tile_distance_point' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;
+COMMENT ON FUNCTION ab_box_distance(ab_change, ab_point) IS 'Least distance of the box of a change from a point, metres';
+
+CREATE FUNCTION ab_contains(a ab_box, b ab_change) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE STRICT COST 20
+    RETURN ab_contained(b, a);
+COMMENT ON FUNCTION ab_contains(ab_box, ab_change) IS 'Does a box hold the box of a change';
+
+CREATE FUNCTION ab_contained(a ab_box, b ab_change) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE STRICT COST 20
+    RETURN ab_contains(b, a);
+COMMENT ON FUNCTION ab_contained(ab_box, ab_change) IS 'Does a box lie in the box of a change';
+
+CREATE OPERATOR && (LEFTARG = ab_change, RIGHTARG = ab_box, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
+COMMENT ON OPERATOR && (ab_change, ab_box) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+CREATE OPERATOR && (LEFTARG = ab_box, RIGHTARG = ab_change, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
+COMMENT ON OPERATOR && (ab_box, ab_change) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+CREATE OPERATOR && (LEFTARG = ab_change, RIGHTARG = ab_solid, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
+COMMENT ON OPERATOR && (ab_change, ab_solid) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+CREATE OPERATOR && (LEFTARG = ab_solid, RIGHTARG = ab_change, FUNCTION = ab_overlaps, COMMUTATOR = &&, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
+COMMENT ON OPERATOR && (ab_solid, ab_change) IS 'Boxes overlap; of voxels the blocks count of which something is known';
+CREATE OPERATOR @> (LEFTARG = ab_change, RIGHTARG = ab_box, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
+COMMENT ON OPERATOR @> (ab_change, ab_box) IS 'Does the box of a change hold a box';
+CREATE OPERATOR <@ (LEFTARG = ab_change, RIGHTARG = ab_box, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
+COMMENT ON OPERATOR <@ (ab_change, ab_box) IS 'Does the box of a change lie in a box';
+CREATE OPERATOR @> (LEFTARG = ab_box, RIGHTARG = ab_change, FUNCTION = ab_contains, COMMUTATOR = <@, RESTRICT = ab_contains_sel, JOIN = ab_contains_join_sel);
+COMMENT ON OPERATOR @> (ab_box, ab_change) IS 'Does a box hold the box of a change';
+CREATE OPERATOR <@ (LEFTARG = ab_box, RIGHTARG = ab_change, FUNCTION = ab_contained, COMMUTATOR = @>, RESTRICT = ab_contained_sel, JOIN = ab_contained_join_sel);
+COMMENT ON OPERATOR <@ (ab_box, ab_change) IS 'Does a box lie in the box of a change';
+CREATE OPERATOR ~= (LEFTARG = ab_change, RIGHTARG = ab_box, FUNCTION = ab_same, RESTRICT = eqsel, JOIN = eqjoinsel);
+COMMENT ON OPERATOR ~= (ab_change, ab_box) IS 'Is the box of a change that box';
+CREATE OPERATOR <-> (LEFTARG = ab_change, RIGHTARG = ab_box, FUNCTION = ab_box_distance);
+COMMENT ON OPERATOR <-> (ab_change, ab_box) IS 'Least distance of the box of a change from a box, metres; for nearest first';
+CREATE OPERATOR <-> (LEFTARG = ab_change, RIGHTARG = ab_point, FUNCTION = ab_box_distance);
+COMMENT ON OPERATOR <-> (ab_change, ab_point) IS 'Least distance of the box of a change from a point, metres; for nearest first';
+
+CREATE FUNCTION ab_gist_consistent(entry internal, query ab_change, strategy smallint, subtype oid, recheck internal) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_gist_consistent' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gist_consistent(internal, ab_change, smallint, oid, internal) IS 'GiST support';
+
+CREATE FUNCTION ab_gist_distance(entry internal, query ab_change, strategy smallint, subtype oid, recheck internal) RETURNS float8
+    AS 'MODULE_PATHNAME', 'ab_gist_distance' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gist_distance(internal, ab_change, smallint, oid, internal) IS 'GiST support';
+
+CREATE FUNCTION ab_gist_tile_compress(entry internal) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_gist_tile_compress' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gist_tile_compress(internal) IS 'GiST support';
+
+CREATE OPERATOR CLASS ab_occupancy_gist_ops DEFAULT FOR TYPE ab_occupancy USING gist AS
+    OPERATOR 1 && (ab_occupancy, ab_box), OPERATOR 2 && (ab_occupancy, ab_solid),
+    OPERATOR 10 @> (ab_occupancy, ab_box), OPERATOR 11 <@ (ab_occupancy, ab_box), OPERATOR 12 ~= (ab_occupancy, ab_box),
+    OPERATOR 13 <-> (ab_occupancy, ab_box) FOR ORDER BY float_ops, OPERATOR 14 <-> (ab_occupancy, ab_point) FOR ORDER BY float_ops,
+    FUNCTION 1 ab_gist_consistent(internal, ab_occupancy, smallint, oid, internal),
+    FUNCTION 2 ab_gist_union(internal, internal),
+    FUNCTION 3 ab_gist_tile_compress(internal),
+    FUNCTION 5 ab_gist_penalty(internal, internal, internal),
+    FUNCTION 6 ab_gist_picksplit(internal, internal),
+    FUNCTION 7 ab_gist_same(ab_box, ab_box, internal),
+    FUNCTION 8 ab_gist_distance(internal, ab_occupancy, smallint, oid, internal),
+    FUNCTION 11 ab_gist_sort(internal),
+    STORAGE ab_box;
+COMMENT ON OPERATOR CLASS ab_occupancy_gist_ops USING gist IS 'Joins on && by boxes';
+
+CREATE OPERATOR CLASS ab_change_gist_ops DEFAULT FOR TYPE ab_change USING gist AS
+    OPERATOR 1 && (ab_change, ab_box), OPERATOR 2 && (ab_change, ab_solid),
+    OPERATOR 10 @> (ab_change, ab_box), OPERATOR 11 <@ (ab_change, ab_box), OPERATOR 12 ~= (ab_change, ab_box),
+    OPERATOR 13 <-> (ab_change, ab_box) FOR ORDER BY float_ops, OPERATOR 14 <-> (ab_change, ab_point) FOR ORDER BY float_ops,
+    FUNCTION 1 ab_gist_consistent(internal, ab_change, smallint, oid, internal),
+    FUNCTION 2 ab_gist_union(internal, internal),
+    FUNCTION 3 ab_gist_tile_compress(internal),
+    FUNCTION 5 ab_gist_penalty(internal, internal, internal),
+    FUNCTION 6 ab_gist_picksplit(internal, internal),
+    FUNCTION 7 ab_gist_same(ab_box, ab_box, internal),
+    FUNCTION 8 ab_gist_distance(internal, ab_change, smallint, oid, internal),
+    FUNCTION 11 ab_gist_sort(internal),
+    STORAGE ab_box;
+COMMENT ON OPERATOR CLASS ab_change_gist_ops USING gist IS 'Joins on && by boxes';
+
+ALTER OPERATOR FAMILY ab_solid_gist_ops USING gist ADD OPERATOR 6 && (ab_solid, ab_occupancy), OPERATOR 7 && (ab_solid, ab_change);
+ALTER OPERATOR FAMILY ab_box_gist_ops USING gist ADD OPERATOR 6 && (ab_box, ab_occupancy), OPERATOR 7 && (ab_box, ab_change);

@@ -7,9 +7,11 @@ use pgrx::pg_sys::panic::ErrorReport;
 /// SQLSTATE of each of core's errors.
 fn code(error: &Error) -> Code {
     match error {
-        Error::Argument { .. } | Error::Empty { .. } | Error::Mismatch { .. } | Error::Covariance { .. } => {
-            Code::ERRCODE_INVALID_PARAMETER_VALUE
-        }
+        Error::Argument { .. }
+        | Error::Empty { .. }
+        | Error::Mismatch { .. }
+        | Error::Lattice { .. }
+        | Error::Covariance { .. } => Code::ERRCODE_INVALID_PARAMETER_VALUE,
         Error::TriangleIndex { .. } => Code::ERRCODE_ARRAY_ELEMENT_ERROR,
         Error::OpenSurface | Error::TotalConflict | Error::Degenerate { .. } => Code::ERRCODE_DATA_EXCEPTION,
         Error::Syntax { .. } => Code::ERRCODE_INVALID_TEXT_REPRESENTATION,

@@ -6,6 +6,7 @@
 //! * [`aggregates`]: transition, combine, serialise, final;
 //! * [`planner`]: statistics and selectivity;
 //! * [`gist`]: index support; the algorithms on boxes are core's;
+//! * [`settings`]: what `SET` and `SHOW` know;
 //! * [`error`]: the one map from core's errors to SQLSTATE and hint;
 //! * [`pg`]: the only place that touches PostgreSQL's memory.
 //!
@@ -16,9 +17,16 @@ mod error;
 mod gist;
 mod pg;
 mod planner;
+mod settings;
 mod types;
 
 pgrx::pg_module_magic!(name, version);
+
+/// Called by PostgreSQL when the library is loaded.
+#[pgrx::pg_guard]
+pub extern "C-unwind" fn _PG_init() {
+    settings::declare();
+}
 
 pgrx::extension_sql_file!("../sql/install/01-types.sql", name = "types", bootstrap);
 pgrx::extension_sql_file!("../sql/install/02-geometry.sql", name = "geometry", requires = ["types"]);
@@ -33,4 +41,6 @@ pgrx::extension_sql_file!("../sql/install/10-belief-calculus.sql", name = "calcu
 pgrx::extension_sql_file!("../sql/install/11-uncertain-index.sql", name = "uncertain_index", requires = ["calculus"]);
 pgrx::extension_sql_file!("../sql/install/12-patches.sql", name = "patches", requires = ["uncertain_index"]);
 pgrx::extension_sql_file!("../sql/install/13-nearness.sql", name = "nearness", requires = ["patches"]);
-pgrx::extension_sql_file!("../sql/install/14-exchange.sql", name = "exchange", requires = ["nearness"], finalize);
+pgrx::extension_sql_file!("../sql/install/14-exchange.sql", name = "exchange", requires = ["nearness"]);
+pgrx::extension_sql_file!("../sql/install/15-voxels.sql", name = "voxels", requires = ["exchange"]);
+pgrx::extension_sql_file!("../sql/install/16-voxel-index.sql", name = "voxel_index", requires = ["voxels"], finalize);

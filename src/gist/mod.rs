@@ -4,9 +4,10 @@ use asbuilt_core::geometry::split::{penalty, split};
 use asbuilt_core::geometry::{Aabb, Solid, hilbert};
 use asbuilt_core::scan::Header;
 use asbuilt_core::uncertain::{Line, Point, Stored};
+use asbuilt_core::voxel::TileHeader;
 
 use crate::pg::{Args, KeyVector, PickSplit, Place, Ret, sorted_by, sql_functions};
-use crate::types::overlap::{INDEX_SIGMAS, near_solid, of_box, of_point, of_scan, of_solid, place};
+use crate::types::overlap::{INDEX_SIGMAS, near_solid, of_box, of_point, of_scan, of_solid, of_tile, place, tile_box};
 use crate::types::{BOX_LEN, box_bytes, box_from};
 
 /// Strategy numbers: `&&` with each right-hand type, the same in every opclass.
@@ -15,6 +16,8 @@ const OVERLAPS_SOLID: i16 = 2;
 const OVERLAPS_SCAN: i16 = 3;
 const OVERLAPS_POINT: i16 = 4;
 const POINT_OVERLAPS_SOLID: i16 = 5;
+const OVERLAPS_OCCUPANCY: i16 = 6;
+const OVERLAPS_CHANGE: i16 = 7;
 /// `@>`, `<@` and `~=` with a box; the key decides on inner pages, the operator itself on leaves (recheck).
 const CONTAINS: i16 = 10;
 const CONTAINED: i16 = 11;
@@ -33,7 +36,8 @@ fn query(args: &Args, strategy: i16) -> asbuilt_core::Result<Aabb> {
         OVERLAPS_SCAN => of_scan(args, 1),
         OVERLAPS_POINT => of_point(args, 1),
         POINT_OVERLAPS_SOLID => near_solid(args, 1),
-        other => Err(asbuilt_core::Error::argument("the GiST strategy", "1 to 5 or 10 to 12", other)),
+        OVERLAPS_OCCUPANCY | OVERLAPS_CHANGE => of_tile(args, 1),
+        other => Err(asbuilt_core::Error::argument("the GiST strategy", "1 to 7 or 10 to 12", other)),
     }
 }
 
@@ -90,6 +94,10 @@ sql_functions! {
 
     fn ab_gist_solid_compress(args) {
         args.compressed(Solid::HEADER_LEN, |bytes| Ok(box_bytes(&Solid::header(bytes)?.bounds)))
+    }
+
+    fn ab_gist_tile_compress(args) {
+        args.compressed(TileHeader::LEN, |bytes| Ok(box_bytes(&tile_box(bytes)?)))
     }
 
     fn ab_gist_point_compress(args) {

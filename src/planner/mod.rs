@@ -6,7 +6,7 @@ use asbuilt_core::geometry::{Aabb, BoxStatistics, Relation};
 use asbuilt_core::scan::JOIN_MARGIN_M;
 
 use crate::pg::{Args, Known, Other, Restriction, Ret, Statistics, analysed_by, join, restriction, sql_functions};
-use crate::types::overlap::{of_box, of_line, of_point, of_scan, of_solid};
+use crate::types::overlap::{of_box, of_line, of_point, of_scan, of_solid, of_tile};
 
 /// Where nothing is known of a table, because it was never analysed. Small enough that an index is used.
 const UNKNOWN: f64 = 1e-4;
@@ -29,6 +29,7 @@ fn box_of(type_name: &str, value: &Args) -> Option<Aabb> {
         "ab_scan" => of_scan,
         "ab_point" => of_point,
         "ab_line" => of_line,
+        "ab_occupancy" | "ab_change" => of_tile,
         _ => return None,
     };
     own(value, 0).ok()

@@ -3,11 +3,14 @@
 mod aabb;
 mod accuracy;
 mod belief;
+mod change;
 mod evidence;
 mod evidence_model;
+mod grid;
 mod hex;
 mod loa;
 mod mass;
+mod occupancy;
 pub mod overlap;
 mod patch;
 pub mod planes;
@@ -18,7 +21,9 @@ mod sensor;
 mod solid;
 mod summary;
 pub mod uncertain;
+mod voxelize;
 
 pub use aabb::{BOX_LEN, box_bytes, box_from};
 pub use evidence_model::model_arg;
+pub use grid::grid_arg;
 pub use mass::{mass_arg, mass_bytes, mass_ret};

@@ -4,6 +4,7 @@ use asbuilt_core::Result;
 use asbuilt_core::geometry::{Aabb, Solid};
 use asbuilt_core::scan::{Header, JOIN_MARGIN_M};
 use asbuilt_core::uncertain::{Line, Point};
+use asbuilt_core::voxel::TileHeader;
 
 use super::{box_from, uncertain};
 use crate::pg::{Args, Ret, sql_functions};
@@ -47,6 +48,18 @@ pub fn of_line(args: &Args, i: usize) -> Result<Aabb> {
     Ok(uncertain::value::<Line, 27>(args, i).bounds(INDEX_SIGMAS))
 }
 
+/// The blocks of an occupancy or a change of which something is known; for none the tile, or the origin where it is all.
+pub fn of_tile(args: &Args, i: usize) -> Result<Aabb> {
+    tile_box(args.prefix(i, TileHeader::LEN))
+}
+
+/// The same from the value's first bytes.
+pub fn tile_box(prefix: &[u8]) -> Result<Aabb> {
+    let header = TileHeader::read(prefix)?;
+    let tile = if header.grid.is_bounded() { header.grid.tile } else { Aabb { min: [0.0; 3], max: [0.0; 3] } };
+    Ok(header.bounds().unwrap_or(tile))
+}
+
 /// How to find the box of an argument.
 pub type BoxOf = fn(&Args, usize) -> Result<Aabb>;
 
@@ -72,4 +85,9 @@ sql_functions! {
     fn ab_overlaps_line_box(args) { overlaps(args, of_line, of_box) }
     fn ab_overlaps_box_point(args) { overlaps(args, of_box, of_point) }
     fn ab_overlaps_box_line(args) { overlaps(args, of_box, of_line) }
+
+    fn ab_overlaps_tile_box(args) { overlaps(args, of_tile, of_box) }
+    fn ab_overlaps_box_tile(args) { overlaps(args, of_box, of_tile) }
+    fn ab_overlaps_tile_solid(args) { overlaps(args, of_tile, of_solid) }
+    fn ab_overlaps_solid_tile(args) { overlaps(args, of_solid, of_tile) }
 }

@@ -4,7 +4,7 @@ use asbuilt_core::Result;
 use asbuilt_core::geometry::Aabb;
 use asbuilt_core::scan::Header;
 
-use super::overlap::{BoxOf, of_box, of_point, of_scan, of_solid, place};
+use super::overlap::{BoxOf, of_box, of_point, of_scan, of_solid, of_tile, place};
 use crate::pg::{Args, Ret, sql_functions};
 
 fn contains(args: &Args, left: BoxOf) -> Result<Ret> {
@@ -54,4 +54,10 @@ sql_functions! {
     fn ab_point_same(args) { same(args, of_point) }
     fn ab_point_distance(args) { distance(args, of_point, of_box) }
     fn ab_point_distance_point(args) { distance(args, place, place) }
+
+    fn ab_tile_contains(args) { contains(args, of_tile) }
+    fn ab_tile_contained(args) { contained(args, of_tile) }
+    fn ab_tile_same(args) { same(args, of_tile) }
+    fn ab_tile_distance(args) { distance(args, of_tile, of_box) }
+    fn ab_tile_distance_point(args) { distance(args, of_tile, place) }
 }

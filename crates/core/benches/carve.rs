@@ -19,13 +19,16 @@ fn tile(azimuth: f64) -> Vec<u8> {
 fn carve(c: &mut Criterion) {
     let mut group = c.benchmark_group("carve 4096 beams of 6 m");
     group.throughput(Throughput::Elements(4096));
-    for (voxel, azimuth) in [(0.02, 0.1), (0.02, 0.7), (0.02, 1.5), (0.01, 0.1), (0.01, 0.7)] {
-        let patch = tile(azimuth);
-        let grid = Grid::new(voxel, Grid::EVERYWHERE, 0.0, 5.0).unwrap();
-        group.bench_function(format!("{} mm, azimuth {azimuth}", voxel * 1e3), |b| {
-            let mut o = Occupancy::new(grid);
-            b.iter(|| o.absorb(&patch, 1 << 30, NEVER).unwrap());
-        });
+    for exact in [false, true] {
+        for (voxel, azimuth) in [(0.02, 0.1), (0.02, 0.7), (0.02, 1.5), (0.01, 0.1), (0.01, 0.7)] {
+            let patch = tile(azimuth);
+            let grid = Grid { exact, ..Grid::new(voxel, Grid::EVERYWHERE, 0.0, 5.0).unwrap() };
+            let name = if exact { "exact" } else { "filled" };
+            group.bench_function(format!("{name}, {} mm, azimuth {azimuth}", voxel * 1e3), |b| {
+                let mut o = Occupancy::new(grid);
+                b.iter(|| o.absorb(&patch, 1 << 30, NEVER).unwrap());
+            });
+        }
     }
     group.finish();
 }

@@ -1,7 +1,9 @@
 //! What the stored forms of occupancy and change share: header, seal, numbers and bits of blocks.
 
 use super::blocks::Bits;
+use super::change::Change;
 use super::grid::Grid;
+use super::occupancy::Occupancy;
 use crate::error::{Error, Result};
 use crate::geometry::Aabb;
 use crate::num::bytes::{Put, Reader};
@@ -32,6 +34,14 @@ pub struct TileHeader {
 impl TileHeader {
     /// Bytes of a header.
     pub const LEN: usize = 4 + 4 + Grid::LEN + 4 + 24;
+
+    /// The header of an occupancy or of a change, by its letter.
+    pub fn read(bytes: &[u8]) -> Result<Self> {
+        match bytes.get(1) {
+            Some(b'C') => Change::header(bytes),
+            _ => Occupancy::header(bytes),
+        }
+    }
 
     /// Box of the blocks of which something is known, world metres; `None` for none.
     pub fn bounds(&self) -> Option<Aabb> {

@@ -2,7 +2,7 @@
 
 use super::march::march;
 use super::occupancy::Occupancy;
-use super::slab::{Base, Ray, carve_bundle};
+use super::slab::{Base, Bundle, Frame, Ray};
 use crate::geometry::Vec3;
 use crate::scan::{Beam, Content, Header, Origins, Patch};
 use crate::{Interrupt, Result, poll};
@@ -30,7 +30,9 @@ impl Occupancy {
         if header.origins() != Origins::Unknown {
             let base = Base::at(self.grid.index(&header.origin)?);
             let rays = self.rays(&header, &content, &base)?;
-            self.carve(rays, &base, most_memory, interrupt)?;
+            let raster = (header.origins() == Origins::One && !self.grid.exact)
+                .then(|| (base.local(&self.grid, &header.origin), f64::from(header.step)));
+            self.carve(rays, base, raster, most_memory, interrupt)?;
         }
         self.check_memory(most_memory)
     }
@@ -45,14 +47,13 @@ impl Occupancy {
         Ok(())
     }
 
-    /// The ways that say "empty", clipped to the tile.
+    /// The ways that say "empty".
     fn rays(&self, header: &Header, content: &Content, base: &Base) -> Result<Vec<Ray>> {
-        let tile = [0, 1, 2].map(|axis| self.span.0[axis].map(|i| (i - base.0[axis]) as f64));
         let mut out = Vec::with_capacity(content.len());
         for (i, beam) in content.beams.iter().enumerate() {
             let start = base.local(&self.grid, &(header.origin + content.start(i)));
-            let Some(way) = self.way(header, content, i, beam, &start, base)? else { continue };
-            out.extend(Ray { start, stop: start + way }.clipped(&tile));
+            let way = self.way(header, content, i, beam, &start, base)?;
+            out.extend(way.map(|way| Ray { start, stop: start + way }));
         }
         Ok(out)
     }
@@ -88,7 +89,15 @@ impl Occupancy {
         Ok((part > 0.0).then_some(way * part))
     }
 
-    fn carve(&mut self, rays: Vec<Ray>, base: &Base, most_memory: usize, interrupt: Interrupt) -> Result<()> {
+    /// Rays that lean towards one axis together, the others one by one. `raster`: their common origin and step.
+    fn carve(
+        &mut self,
+        rays: Vec<Ray>,
+        base: Base,
+        raster: Option<(Vec3, f64)>,
+        most_memory: usize,
+        interrupt: Interrupt,
+    ) -> Result<()> {
         let sum: Vec3 = rays.iter().map(|r| (r.stop - r.start).normalize()).sum();
         let (axis, sign) = (sum.iamax(), sum[sum.iamax()].signum());
         let along = |r: &Ray| {
@@ -100,16 +109,17 @@ impl Occupancy {
             poll(interrupt)?;
             o.check_memory(most_memory)
         };
-        carve_bundle(self, &bundle, axis, sign, base, &check)?;
+        Bundle::new(&bundle, Frame::new(axis, sign), base, &self.span, raster).carve(self, &check)?;
         for ray in &strays {
             check(self)?;
-            self.carve_alone(ray, base);
+            self.carve_alone(ray, &base);
         }
         Ok(())
     }
 
-    /// One ray, voxel by voxel.
+    /// One ray, voxel by voxel, as far as it lies in the tile.
     pub(super) fn carve_alone(&mut self, ray: &Ray, base: &Base) {
+        let Some(ray) = ray.clipped(&base.span(&self.span)) else { return };
         march(&ray.start, &ray.stop, |local| {
             let voxel = base.world(local);
             if self.span.holds(voxel) {

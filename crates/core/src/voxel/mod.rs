@@ -15,6 +15,7 @@ mod change;
 mod change_bytes;
 mod class;
 mod component;
+mod fan;
 mod filter;
 mod grid;
 mod march;

@@ -3,7 +3,8 @@
 
 use super::block::EDGE;
 use super::blocks::{Bits, block_of};
-use super::grid::Grid;
+use super::fan::Fan;
+use super::grid::{Grid, Span};
 use super::occupancy::Occupancy;
 use crate::Result;
 use crate::geometry::Vec3;
@@ -32,6 +33,11 @@ impl Base {
     pub fn world(&self, local: [i64; 3]) -> [i64; 3] {
         [0, 1, 2].map(|i| local[i] + self.0[i])
     }
+
+    /// Voxels counted from here.
+    pub fn span(&self, span: &Span) -> Span {
+        Span([0, 1, 2].map(|i| span.0[i].map(|v| v - self.0[i])))
+    }
 }
 
 /// A way through empty space, in voxels from a [`Base`].
@@ -44,15 +50,16 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// The part inside a box of voxels, `[first, end)` an axis.
-    pub fn clipped(&self, tile: &[[f64; 2]; 3]) -> Option<Self> {
+    /// The part inside a box of voxels.
+    pub fn clipped(&self, tile: &Span) -> Option<Self> {
         let way = self.stop - self.start;
         let (mut from, mut to) = (0.0f64, 1.0f64);
         for axis in 0..3 {
-            let [a, b] = tile[axis].map(|face| (face - self.start[axis]) / way[axis]);
+            let faces = tile.0[axis].map(|i| i as f64);
+            let [a, b] = faces.map(|face| (face - self.start[axis]) / way[axis]);
             if way[axis] != 0.0 {
                 (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
-            } else if self.start[axis] < tile[axis][0] || self.start[axis] >= tile[axis][1] {
+            } else if self.start[axis] < faces[0] || self.start[axis] >= faces[1] {
                 return None;
             }
         }
@@ -62,25 +69,33 @@ impl Ray {
 
 /// A ray along the slabs' axis: its other two coordinates as functions of the first, which grows.
 #[derive(Debug, Clone, Copy)]
-struct Line {
+pub struct Line {
     from: f64,
-    to: f64,
+    /// Where it stops along the axis.
+    pub to: f64,
     at: [f64; 2],
-    slope: [f64; 2],
+    /// Its other two coordinates a voxel along the axis.
+    pub slope: [f64; 2],
     /// 1 / slope; infinite for a line that stays in its row.
     pace: [f64; 2],
+    /// The part of it inside the tile.
+    shown: [f64; 2],
 }
 
 /// The three axes of a bundle: along it, and across it in the order that blocks store them.
 #[derive(Debug, Clone, Copy)]
-struct Frame {
-    along: usize,
-    across: [usize; 2],
-    sign: f64,
+pub struct Frame {
+    /// The slabs' axis.
+    pub along: usize,
+    /// The other two.
+    pub across: [usize; 2],
+    /// Lines run with the axis or against it.
+    pub sign: f64,
 }
 
 impl Frame {
-    fn new(along: usize, sign: f64) -> Self {
+    /// For rays that all lean towards `sign` × the axis `along`.
+    pub fn new(along: usize, sign: f64) -> Self {
         let across = match along {
             0 => [1, 2],
             1 => [0, 2],
@@ -89,11 +104,28 @@ impl Frame {
         Self { along, across, sign }
     }
 
-    fn line(&self, ray: &Ray) -> Line {
+    fn mirrored(&self) -> bool {
+        self.sign < 0.0
+    }
+
+    /// A ray as a line, and its part inside a tile (voxels from the base).
+    fn line(&self, ray: &Ray, tile: &Span) -> Line {
         let (from, to) = (self.sign * ray.start[self.along], self.sign * ray.stop[self.along]);
         let at = self.across.map(|k| ray.start[k]);
         let slope = self.across.map(|k| (ray.stop[k] - ray.start[k]) / (to - from));
-        Line { from, to, at, slope, pace: slope.map(f64::recip) }
+        let pace = slope.map(f64::recip);
+        let own = tile.0[self.along].map(|i| self.sign * i as f64);
+        let mut shown = [from.max(own[0].min(own[1])), to.min(own[0].max(own[1]))];
+        for k in 0..2 {
+            let faces = tile.0[self.across[k]].map(|i| i as f64);
+            if slope[k] != 0.0 {
+                let [a, b] = faces.map(|face| from + (face - at[k]) * pace[k]);
+                shown = [shown[0].max(a.min(b)), shown[1].min(a.max(b))];
+            } else if at[k] < faces[0] || at[k] >= faces[1] {
+                shown[1] = f64::NEG_INFINITY;
+            }
+        }
+        Line { from, to, at, slope, pace, shown }
     }
 }
 
@@ -107,62 +139,99 @@ impl Line {
         let face = if self.slope[k] > 0.0 { row + 1 } else { row };
         if self.slope[k] == 0.0 { f64::INFINITY } else { self.from + (face as f64 - self.at[k]) * self.pace[k] }
     }
+
+    /// The part inside the tile and a slab.
+    fn within(&self, slab: [i64; 2]) -> Option<[f64; 2]> {
+        let part = [self.shown[0].max(slab[0] as f64), self.shown[1].min(slab[1] as f64)];
+        (part[0] < part[1]).then_some(part)
+    }
 }
 
-/// Carves rays that all lean towards `sign` × the axis `along`; `check` is asked at every slab whether to go on.
-pub fn carve_bundle(
-    occupancy: &mut Occupancy,
-    rays: &[Ray],
-    along: usize,
-    sign: f64,
-    base: &Base,
-    check: &dyn Fn(&Occupancy) -> Result<()>,
-) -> Result<()> {
-    let frame = Frame::new(along, sign);
-    let lines: Vec<Line> = rays.iter().map(|r| frame.line(r)).collect();
-    let ends = lines.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], l| [a.min(l.from), b.max(l.to)]);
-    if lines.is_empty() {
-        return Ok(());
+/// Rays that all lean towards one axis, to be carved together.
+pub struct Bundle {
+    frame: Frame,
+    base: Base,
+    lines: Vec<Line>,
+    /// From where along the axis each line has to be drawn; before that the fan fills.
+    drawn_from: Vec<f64>,
+    fan: Option<Fan>,
+}
+
+impl Bundle {
+    /// Of rays that lean towards a frame's axis; those of one `origin`, neighbours a `step` apart, may be filled between.
+    pub fn new(rays: &[Ray], frame: Frame, base: Base, span: &Span, raster: Option<(Vec3, f64)>) -> Self {
+        let tile = base.span(span);
+        let lines: Vec<Line> = rays.iter().map(|r| frame.line(r, &tile)).collect();
+        let fan = raster.and_then(|(origin, step)| Fan::new(&lines, &frame, &origin, step));
+        let (fan, drawn_from) = match fan {
+            Some((fan, clear)) => (Some(fan), clear.into_iter().map(f64::floor).collect()),
+            None => (None, vec![f64::NEG_INFINITY; lines.len()]),
+        };
+        Self { frame, base, lines, drawn_from, fan }
     }
-    let mut map = BitMap::default();
-    for number in (ends[0].floor() as i64).div_euclid(DEPTH)..=(ends[1].floor() as i64).div_euclid(DEPTH) {
-        check(occupancy)?;
-        let slab = [number * DEPTH, (number + 1) * DEPTH];
-        if map.fit(&lines, slab) {
-            lines.iter().for_each(|l| map.draw(l, slab));
-            map.merge(occupancy, &frame, slab[0], base);
-        } else {
-            for line in &lines {
-                check(occupancy)?;
-                carve_part(occupancy, &frame, line, slab, base);
+
+    /// Carves it; `check` is asked at every slab whether to go on.
+    pub fn carve(&self, occupancy: &mut Occupancy, check: &dyn Fn(&Occupancy) -> Result<()>) -> Result<()> {
+        let ends = self.lines.iter().filter(|l| l.shown[0] < l.shown[1]);
+        let ends = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], l| [a.min(l.shown[0]), b.max(l.shown[1])]);
+        if ends[0] > ends[1] {
+            return Ok(());
+        }
+        let mut map = BitMap::default();
+        for number in (ends[0].floor() as i64).div_euclid(DEPTH)..=(ends[1].floor() as i64).div_euclid(DEPTH) {
+            check(occupancy)?;
+            let slab = [number * DEPTH, (number + 1) * DEPTH];
+            if map.fit(&self.lines, slab) {
+                self.draw(&mut map, slab);
+                map.merge(occupancy, &self.frame, slab[0], &self.base);
+            } else {
+                for line in &self.lines {
+                    check(occupancy)?;
+                    self.carve_part(occupancy, line, slab);
+                }
             }
         }
+        Ok(())
     }
-    Ok(())
+
+    fn draw(&self, map: &mut BitMap, slab: [i64; 2]) {
+        for (line, &from) in self.lines.iter().zip(&self.drawn_from) {
+            if let Some([start, stop]) = line.within(slab)
+                && from < stop
+            {
+                map.draw(line, [start.max(from), stop], slab[0]);
+            }
+        }
+        if let Some(fan) = &self.fan {
+            map.fill(fan, slab);
+        }
+    }
+
+    /// The part of a line inside a slab, voxel by voxel.
+    fn carve_part(&self, occupancy: &mut Occupancy, line: &Line, slab: [i64; 2]) {
+        if let Some([from, to]) = line.within(slab) {
+            let point = |along: f64| {
+                let mut p = Vec3::zeros();
+                p[self.frame.along] = self.frame.sign * along;
+                (0..2).for_each(|k| p[self.frame.across[k]] = line.across(k, along));
+                p
+            };
+            occupancy.carve_alone(&Ray { start: point(from), stop: point(to) }, &self.base);
+        }
+    }
 }
 
-/// The part of a ray inside a slab, voxel by voxel.
-fn carve_part(occupancy: &mut Occupancy, frame: &Frame, line: &Line, slab: [i64; 2], base: &Base) {
-    let (from, to) = (line.from.max(slab[0] as f64), line.to.min(slab[1] as f64));
-    if from < to {
-        let point = |along: f64| {
-            let mut p = Vec3::zeros();
-            p[frame.along] = frame.sign * along;
-            (0..2).for_each(|k| p[frame.across[k]] = line.across(k, along));
-            p
-        };
-        occupancy.carve_alone(&Ray { start: point(from), stop: point(to) }, base);
-    }
-}
-
-/// A slab of voxels: one word a row along the axis, rows across it.
+/// A slab of voxels, in rows along the axis and, where a fan filled it, in rows across it.
 #[derive(Debug, Default)]
 struct BitMap {
-    /// First row on either axis, a multiple of 8.
+    /// First row on either axis across, a multiple of 8.
     first: [i64; 2],
     /// Rows on either axis, multiples of 8.
     size: [i64; 2],
+    /// A word a row along the axis.
     words: Vec<u64>,
+    /// By layer along the axis, then row on the second axis across: eight voxels of the first a byte. Empty without a fan.
+    filled: Vec<u8>,
 }
 
 impl BitMap {
@@ -170,8 +239,7 @@ impl BitMap {
     fn fit(&mut self, lines: &[Line], slab: [i64; 2]) -> bool {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for line in lines {
-            let (from, to) = (line.from.max(slab[0] as f64), line.to.min(slab[1] as f64));
-            if from < to {
+            if let Some([from, to]) = line.within(slab) {
                 for k in 0..2 {
                     let ends = [line.across(k, from), line.across(k, to)];
                     low[k] = low[k].min(ends[0]).min(ends[1]);
@@ -181,6 +249,7 @@ impl BitMap {
         }
         self.size = [0; 2];
         self.words.clear();
+        self.filled.clear();
         if low[0] > high[0] {
             return true;
         }
@@ -197,20 +266,16 @@ impl BitMap {
         true
     }
 
-    /// Sets the voxels that a line passes through.
-    fn draw(&mut self, line: &Line, slab: [i64; 2]) {
-        let (mut from, to) = (line.from.max(slab[0] as f64), line.to.min(slab[1] as f64));
-        if from >= to {
-            return;
-        }
+    /// Sets the voxels that a part of a line passes through.
+    fn draw(&mut self, line: &Line, [mut from, to]: [f64; 2], slab: i64) {
         let mut row = [0, 1].map(|k| line.across(k, from).floor() as i64);
         let mut leaves = [0, 1].map(|k| line.leaves(k, row[k]));
         let step = [0, 1].map(|k| if line.slope[k] > 0.0 { 1 } else { -1 });
         loop {
             let k = usize::from(leaves[1] < leaves[0]);
             let until = leaves[k].min(to).max(from);
-            let first = (from.floor() as i64 - slab[0]).clamp(0, DEPTH - 1);
-            let last = (until.ceil() as i64 - 1 - slab[0]).clamp(first, DEPTH - 1);
+            let first = (from.floor() as i64 - slab).clamp(0, DEPTH - 1);
+            let last = (until.ceil() as i64 - 1 - slab).clamp(first, DEPTH - 1);
             let word = (row[1] - self.first[1]) * self.size[0] + row[0] - self.first[0];
             self.words[word as usize] |= (u64::MAX >> (DEPTH - 1 - (last - first))) << first;
             if leaves[k] >= to {
@@ -222,33 +287,94 @@ impl BitMap {
         }
     }
 
+    /// Sets the voxels that lie between the rays of a fan.
+    fn fill(&mut self, fan: &Fan, slab: [i64; 2]) {
+        let ([first, rows], [width, height]) = (self.first, self.size);
+        let bytes = (width / EDGE) as usize;
+        self.filled.resize(DEPTH as usize * height as usize * bytes, 0);
+        for (layer, plane) in (slab[0]..slab[1]).zip(self.filled.chunks_mut((height as usize * bytes).max(1))) {
+            fan.fill_layer(layer, [rows, rows + height], |row, from, end| {
+                let start = (row - rows) as usize * bytes;
+                let (from, end) = ((from - first).clamp(0, width), (end - first).clamp(0, width));
+                set_bits(&mut plane[start..start + bytes], from as usize, end as usize);
+            });
+        }
+    }
+
     /// Adds the map to the occupancy. `slab` is the number of its first voxel along the axis, mirrored for rays that run
     /// against it.
     fn merge(&self, occupancy: &mut Occupancy, frame: &Frame, slab: i64, base: &Base) {
-        let mirrored = frame.sign < 0.0;
         // Voxel i of the mirrored axis is voxel -1 - i.
-        let first_along = if mirrored { -slab - DEPTH } else { slab };
+        let first_along = if frame.mirrored() { -slab - DEPTH } else { slab };
         for w in (0..self.size[1]).step_by(8) {
             for v in (0..self.size[0]).step_by(8) {
-                let rows: [[u64; 8]; 8] = std::array::from_fn(|j| {
-                    let start = ((w + j as i64) * self.size[0] + v) as usize;
-                    std::array::from_fn(|i| {
-                        let row = self.words[start + i];
-                        if mirrored { row.reverse_bits() } else { row }
-                    })
-                });
+                let rows = self.rows(v, w, frame.mirrored());
                 let any = rows.iter().flatten().fold(0, |a, r| a | r);
-                for part in (0..8).filter(|part| any >> (8 * part) & 0xff != 0) {
+                for part in 0..8 {
+                    let drawn = (any >> (8 * part) & 0xff != 0).then(|| {
+                        // Byte i of word j: bits along the axis, i and j across it.
+                        let bits = rows.map(|r| u64::from_le_bytes(r.map(|word| (word >> (8 * part)) as u8)));
+                        oriented(bits, frame.along)
+                    });
+                    let filled = self.filled_block(v, w, part, frame);
+                    let bits: Bits = match (drawn, filled) {
+                        (None, None) => continue,
+                        (Some(one), None) | (None, Some(one)) => one,
+                        (Some(a), Some(b)) => std::array::from_fn(|z| a[z] | b[z]),
+                    };
                     let mut local = [0; 3];
                     local[frame.along] = first_along + 8 * part as i64;
                     local[frame.across[0]] = self.first[0] + v;
                     local[frame.across[1]] = self.first[1] + w;
-                    // Byte i of word j: bits along the axis, i and j across it.
-                    let bits = rows.map(|r| u64::from_le_bytes(r.map(|word| (word >> (8 * part)) as u8)));
-                    occupancy.traverse_block(block_of(base.world(local)), &oriented(bits, frame.along));
+                    occupancy.traverse_block(block_of(base.world(local)), &bits);
                 }
             }
         }
+    }
+
+    /// The rows along the axis of eight by eight.
+    fn rows(&self, v: i64, w: i64, mirrored: bool) -> [[u64; 8]; 8] {
+        std::array::from_fn(|j| {
+            let start = ((w + j as i64) * self.size[0] + v) as usize;
+            std::array::from_fn(|i| {
+                let row = self.words[start + i];
+                if mirrored { row.reverse_bits() } else { row }
+            })
+        })
+    }
+
+    /// What a fan filled of a block; `None` for nothing.
+    fn filled_block(&self, v: i64, w: i64, part: usize, frame: &Frame) -> Option<Bits> {
+        if self.filled.is_empty() {
+            return None;
+        }
+        let bytes = (self.size[0] / EDGE) as usize;
+        let (column, plane) = ((v / EDGE) as usize, self.size[1] as usize * bytes);
+        let byte = |k: usize, j: usize| {
+            let layer = if frame.mirrored() { DEPTH as usize - 1 - (8 * part + k) } else { 8 * part + k };
+            self.filled[layer * plane + (w as usize + j) * bytes + column]
+        };
+        let upright = frame.along == 2;
+        let bits: Bits = std::array::from_fn(|a| {
+            u64::from_le_bytes(std::array::from_fn(|b| if upright { byte(a, b) } else { byte(b, a) }))
+        });
+        (bits != [0; 8]).then(|| if frame.along == 0 { bits.map(transposed) } else { bits })
+    }
+}
+
+/// Sets the bits from `from` on, up to `end`.
+fn set_bits(bytes: &mut [u8], from: usize, end: usize) {
+    if from >= end {
+        return;
+    }
+    let (first, last) = (from / 8, (end - 1) / 8);
+    let (head, tail) = (0xffu8 << (from % 8), 0xffu8 >> (7 - (end - 1) % 8));
+    if first == last {
+        bytes[first] |= head & tail;
+    } else {
+        bytes[first] |= head;
+        bytes[first + 1..last].fill(0xff);
+        bytes[last] |= tail;
     }
 }
 

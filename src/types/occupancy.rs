@@ -1,0 +1,148 @@
+//! `ab_occupancy`: core's byte form, on disk and on the wire; in hexadecimal as text. What is asked of it.
+
+use asbuilt_core::geometry::Solid;
+use asbuilt_core::voxel::{Grid, Mask, Occupancy, Rule, Settings, State, TileHeader};
+use asbuilt_core::{Error, Result};
+
+use super::box_bytes;
+use super::grid::grid_ret;
+use super::hex::{hex_in, hex_out};
+use crate::pg::{Args, Field, Ret, Rows, interrupt, sql_functions};
+use crate::settings::max_grid_memory;
+
+/// Text form: this, then the bytes in hexadecimal.
+const PREFIX: &str = "ab_occupancy:1:";
+
+fn read(bytes: &[u8]) -> Result<Occupancy> {
+    Occupancy::from_bytes(bytes, max_grid_memory(), &interrupt)
+}
+
+/// The occupancy in argument `i`.
+pub fn occupancy_arg(args: &Args, i: usize) -> Result<Occupancy> {
+    read(args.bytes(i))
+}
+
+/// The stored form.
+pub fn occupancy_ret(occupancy: &Occupancy) -> Result<Ret> {
+    Ok(Ret::Bytes(occupancy.to_bytes(&interrupt)?))
+}
+
+/// The words of a `text[]`.
+pub fn words(args: &Args, i: usize, what: &'static str) -> Result<Vec<String>> {
+    let words = args.bytes_array(i, what)?;
+    Ok(words.into_iter().map(|w| String::from_utf8_lossy(w).into_owned()).collect())
+}
+
+/// The voxels that the solid in argument `i` touches; those of its surface where it is open.
+pub fn cover(args: &Args, i: usize, grid: &Grid) -> Result<Mask> {
+    let solid = Solid::from_stored(args.bytes(i), &interrupt)?;
+    let rule = if solid.volume().is_ok() { Rule::Cover } else { Rule::Surface };
+    Mask::of(&solid, grid, rule, max_grid_memory(), &interrupt)
+}
+
+/// Voxels of the tile; `None` for a tile without end.
+fn voxels_of_tile(grid: &Grid) -> Option<u64> {
+    let sides = grid.span().0.map(|[first, end]| (end - first) as u64);
+    grid.is_bounded().then(|| sides.iter().try_fold(1u64, |n, &side| n.checked_mul(side))).flatten()
+}
+
+sql_functions! {
+    fn ab_occupancy_in(args) { occupancy_ret(&read(&hex_in(args, "ab_occupancy", PREFIX)?)?) }
+
+    fn ab_occupancy_out(args) { hex_out(args, PREFIX) }
+
+    fn ab_occupancy_recv(args) { occupancy_ret(&read(args.message(0))?) }
+
+    fn ab_occupancy_send(args) { Ok(args.fetched(0)) }
+
+    fn ab_occupancy_grid(args) { grid_ret(&Occupancy::header(args.prefix(0, TileHeader::LEN))?.grid) }
+
+    /// ab_box(occupancy), ab_box(change)
+    fn ab_tile_box(args) {
+        let bounds = TileHeader::read(args.prefix(0, TileHeader::LEN))?.bounds();
+        Ok(bounds.map_or(Ret::Null, |b| Ret::Fixed(box_bytes(&b))))
+    }
+
+    /// ab_rollup(occupancy, occupancy)
+    fn ab_occupancy_rollup(args) {
+        match (args.is_null(0), args.is_null(1)) {
+            (true, true) => return Ok(Ret::Null),
+            (false, true) => return Ok(args.fetched(0)),
+            (true, false) => return Ok(args.fetched(1)),
+            _ => {}
+        }
+        let mut sum = occupancy_arg(args, 0)?;
+        sum.merge(&occupancy_arg(args, 1)?, &interrupt)?;
+        sum.check_memory(max_grid_memory())?;
+        occupancy_ret(&sum)
+    }
+
+    /// ab_state(occupancy, x, y, z, threshold)
+    fn ab_occupancy_state(args) {
+        let point = [1, 2, 3].map(|i| args.f64(i)).into();
+        let header = Occupancy::header(args.prefix(0, TileHeader::LEN))?;
+        let (voxel, threshold) = (header.grid.index(&point)?, Settings::threshold(args.i32(4))?);
+        Ok(Ret::text(occupancy_arg(args, 0)?.state(voxel, threshold).name()))
+    }
+
+    /// ab_voxels(occupancy, states, threshold)
+    fn ab_occupancy_voxels(args) {
+        let mut rows = Rows::new(args)?;
+        let states: Vec<State> = words(args, 1, "the states")?.iter().map(|w| State::parse(w)).collect::<Result<_>>()?;
+        if states.contains(&State::Unknown) {
+            return Err(Error::argument("a state", "occupied, ambiguous or empty: unknown space has no end", "unknown"));
+        }
+        let occupancy = occupancy_arg(args, 0)?;
+        occupancy.for_each(Settings::threshold(args.i32(2))?, &interrupt, |voxel, state, hits| {
+            if states.contains(&state) {
+                let centre = occupancy.grid().centre(voxel);
+                let place = [0, 1, 2].map(|i| Field::F64(centre[i]));
+                let [x, y, z] = place;
+                rows.push(&[x, y, z, Field::Text(state.name().into()), Field::I32(hits.into())]);
+            }
+        })?;
+        Ok(Ret::Null)
+    }
+
+    /// ab_slice(occupancy, axis, at, threshold)
+    fn ab_occupancy_slice(args) {
+        let name = args.text(1);
+        let Some(axis) = ["x", "y", "z"].iter().position(|a| *a == name) else {
+            return Err(Error::argument("the axis", "x, y or z", name));
+        };
+        let slice = occupancy_arg(args, 0)?.slice(axis, args.f64(2), Settings::threshold(args.i32(3))?, &interrupt)?;
+        Ok(Ret::I32Array(slice.states, vec![slice.rows as i32, slice.columns as i32]))
+    }
+
+    /// ab_summary(occupancy, threshold, solid)
+    fn ab_occupancy_summary(args) {
+        if args.is_null(0) || args.is_null(1) {
+            return Ok(Ret::Null);
+        }
+        let (occupancy, threshold) = (occupancy_arg(args, 0)?, Settings::threshold(args.i32(1))?);
+        let mask = if args.is_null(2) { None } else { Some(cover(args, 2, occupancy.grid())?) };
+        let tally = occupancy.tally(threshold, mask.as_ref(), &interrupt)?;
+        let known = tally.occupied + tally.ambiguous + tally.empty;
+        let all = mask.map_or_else(|| voxels_of_tile(occupancy.grid()), |m| Some(m.len()));
+        let rest = all.map(|n| n.saturating_sub(known));
+        let of_model = occupancy.is_model();
+        let empty = tally.empty + if of_model { rest.unwrap_or(0) } else { 0 };
+        let unknown = if of_model { Some(0) } else { rest };
+        let voxels = [Some(tally.occupied), Some(tally.ambiguous), Some(empty), unknown];
+        let volume = occupancy.grid().voxel_volume();
+        let counts = voxels.map(|n| Field::or_null(n, |n| Field::I64(n as i64)));
+        let volumes = voxels.map(|n| Field::or_null(n, |n| Field::F64(n as f64 * volume)));
+        Ok(Ret::Row(counts.into_iter().chain(volumes).collect()))
+    }
+
+    /// ab_denoise(occupancy, neighbours, threshold)
+    fn ab_occupancy_denoise(args) {
+        let Some(neighbours) = u32::try_from(args.i32(1)).ok().filter(|n| *n <= 26) else {
+            return Err(Error::argument("the number of neighbours", "from 0 to 26", args.i32(1)));
+        };
+        let threshold = Settings::threshold(args.i32(2))?;
+        occupancy_ret(&occupancy_arg(args, 0)?.denoised(neighbours, threshold, &interrupt)?)
+    }
+
+    fn ab_occupancy_downsample(args) { occupancy_ret(&occupancy_arg(args, 0)?.downsampled(&interrupt)?) }
+}

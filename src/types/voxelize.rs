@@ -1,0 +1,30 @@
+//! Solids in voxels, and what voxels are good for.
+
+use asbuilt_core::geometry::Solid;
+use asbuilt_core::voxel::{Grid, Mask, Rule, VoxelAccuracy};
+
+use super::grid::tile_arg;
+use super::occupancy::occupancy_ret;
+use crate::pg::{Field, Ret, interrupt, sql_functions};
+use crate::settings::max_grid_memory;
+
+sql_functions! {
+    /// ab_voxelize(solid, voxel, rule, tile)
+    fn ab_voxelize(args) {
+        if (0..3).any(|i| args.is_null(i)) {
+            return Ok(Ret::Null);
+        }
+        let grid = Grid::new(args.f64(1), tile_arg(args, 3), 0.0, 0.0)?;
+        let rule = Rule::parse(&args.text(2))?;
+        let solid = Solid::from_stored(args.bytes(0), &interrupt)?;
+        let model = Mask::of(&solid, &grid, rule, max_grid_memory(), &interrupt)?.into_model(grid);
+        model.check_memory(max_grid_memory())?;
+        occupancy_ret(&model)
+    }
+
+    fn ab_voxel_accuracy(args) {
+        let a = VoxelAccuracy::of(args.f64(0))?;
+        let levels = [a.absolute, a.relative, a.relative_linear].map(|l| Field::or_null(l, Field::Loa));
+        Ok(Ret::Row([Field::F64(a.max_error)].into_iter().chain(levels).collect()))
+    }
+}
