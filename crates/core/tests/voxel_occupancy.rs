@@ -182,3 +182,102 @@ proptest! {
         }
     }
 }
+
+/// A raster of a tripod in a room: a wall with a step in it, a thin post before it.
+fn raster(step: f64, axis: Vec3) -> (Vec3, Vec<Beam>, Vec<u8>) {
+    let turn = nalgebra::Rotation3::rotation_between(&Vec3::x(), &axis).unwrap();
+    let beam = |i: usize| {
+        let (a, e) = (((i % 64) as f64 - 32.0) * step, ((i / 64) as f64 - 32.0) * step);
+        let range = if (a - 0.02).abs() < 2.0 * step {
+            1.1
+        } else if e > 0.0 {
+            3.0 / a.cos()
+        } else {
+            2.4
+        };
+        Beam { offset: turn * Vec3::new(e.cos() * a.cos(), e.cos() * a.sin(), e.sin()) * range, returned: true }
+    };
+    let beams: Vec<Beam> = (0..4096).map(beam).collect();
+    let origin = Vec3::new(0.31, -0.22, 1.57);
+    let patch = Patch::encode(1, origin, step, Patch::QUANTUM_M, &beams).unwrap().to_bytes();
+    (origin, beams, patch)
+}
+
+/// What `exact => false` differs in: a voxel passed between rays lies among rays that all reach beyond it; one that is
+/// missed is grazed by the outermost rays; returns are the same.
+#[test]
+fn filling_between_rays_is_bounded() {
+    for (k, axis) in
+        [Vec3::x(), -Vec3::y(), Vec3::new(0.6, 0.7, -0.4), Vec3::new(-0.5, 0.3, 0.8)].into_iter().enumerate()
+    {
+        for (step, voxel) in [(0.003, 0.04), (0.008, 0.012)] {
+            let (origin, beams, patch) = raster(step, axis.normalize());
+            let filled = Grid::new(voxel, Grid::EVERYWHERE, 0.0, 0.0).unwrap();
+            let [fast, exact] =
+                [filled, Grid { exact: true, ..filled }].map(|g| occupied(g, std::slice::from_ref(&patch)));
+            let passed = |o: &Occupancy| {
+                let (mut out, mut hits) = (std::collections::HashSet::new(), 0u64);
+                o.for_each(1, NEVER, |v, state, n| {
+                    hits += u64::from(n);
+                    if matches!(state, State::Empty | State::Ambiguous) {
+                        out.insert(v);
+                    }
+                })
+                .unwrap();
+                (out, hits)
+            };
+            let ((fast, fast_hits), (exact, exact_hits)) = (passed(&fast), passed(&exact));
+            assert_eq!(fast_hits, exact_hits);
+            let (more, less): (Vec<_>, Vec<_>) = (fast.difference(&exact).collect(), exact.difference(&fast).collect());
+            // Directions of all rays, and how far they reach.
+            let rays: Vec<(Vec3, f64)> = beams.iter().map(|b| (b.offset.normalize(), b.offset.norm())).collect();
+            let near = |at: &Vec3, within: f64| {
+                let d = at.normalize();
+                rays.iter()
+                    .filter(move |(r, _)| r.cross(&d).norm() < within && r.dot(&d) > 0.0)
+                    .map(|r| r.1)
+                    .collect::<Vec<_>>()
+            };
+            for v in more.iter().step_by(1 + more.len() / 3000) {
+                let at = filled.centre(**v) - origin;
+                let around = near(&at, 2.5 * step);
+                assert!(!around.is_empty(), "{k} {step}: {v:?} lies beside all rays");
+                let least = near(&at, 1.4 * step).into_iter().fold(f64::INFINITY, f64::min);
+                assert!(least > at.norm() - 1.75 * voxel, "{k} {step}: {v:?} at {} behind {least}", at.norm());
+            }
+            for v in less.iter().step_by(1 + less.len() / 3000) {
+                let at = filled.centre(**v) - origin;
+                // It lies in the skin of a surface, which slanting rays say nothing of; or at the border of the raster,
+                // where fewer rays are around it than inside.
+                let skin = near(&at, (2.5 * step).max(1.25 * voxel / at.norm()))
+                    .into_iter()
+                    .any(|r| (r - at.norm()).abs() < 3.0 * voxel);
+                let around = near(&at, (3.0 * step).max(1.25 * voxel / at.norm())).len() as f64;
+                let full = std::f64::consts::PI * ((3.0 * step).max(1.25 * voxel / at.norm()) / step).powi(2);
+                assert!(
+                    skin || around < 0.85 * full,
+                    "{k} {step}: {v:?} at {} inside is missed, {around} of {full:.0} rays, {:?}",
+                    at.norm(),
+                    near(&at, 2.5 * step)
+                );
+            }
+            assert!(
+                exact.len() > 4000 && less.len() as f64 <= 0.2 * exact.len() as f64,
+                "{k} {step}: {} of {}",
+                less.len(),
+                exact.len()
+            );
+            if step < 0.005 {
+                // 3 mrad at 3 m: every voxel of 4 cm inside is passed by a ray.
+                assert!(
+                    more.len() as f64 <= 0.03 * exact.len() as f64,
+                    "{k}: {} more than {}",
+                    more.len(),
+                    exact.len()
+                );
+            } else {
+                assert!(more.len() as f64 >= 0.1 * exact.len() as f64, "{k}: {} more than {}", more.len(), exact.len());
+            }
+        }
+    }
+}

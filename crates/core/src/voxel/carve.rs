@@ -26,10 +26,9 @@ impl Occupancy {
             return Ok(());
         }
         let (header, content) = Patch::beams_of(patch)?;
-        self.count_returns(&header, &content)?;
+        let base = Base::at(self.grid.index(&header.origin)?);
+        let rays = self.count_returns(&header, &content, &base)?;
         if header.origins() != Origins::Unknown {
-            let base = Base::at(self.grid.index(&header.origin)?);
-            let rays = self.rays(&header, &content, &base)?;
             let raster = (header.origins() == Origins::One && !self.grid.exact)
                 .then(|| (base.local(&self.grid, &header.origin), f64::from(header.step)));
             self.carve(rays, base, raster, most_memory, interrupt)?;
@@ -37,56 +36,43 @@ impl Occupancy {
         self.check_memory(most_memory)
     }
 
-    fn count_returns(&mut self, header: &Header, content: &Content) -> Result<()> {
-        for i in (0..content.len()).filter(|&i| content.beams[i].returned) {
-            let voxel = self.grid.index(&(header.origin + content.end(i)))?;
-            if self.span.holds(voxel) {
-                self.hit(voxel, 1);
-            }
-        }
-        Ok(())
-    }
-
-    /// The ways that say "empty".
-    fn rays(&self, header: &Header, content: &Content, base: &Base) -> Result<Vec<Ray>> {
+    /// Counts the returns; the ways that say "empty".
+    fn count_returns(&mut self, header: &Header, content: &Content, base: &Base) -> Result<Vec<Ray>> {
         let mut out = Vec::with_capacity(content.len());
         for (i, beam) in content.beams.iter().enumerate() {
+            let end = self.grid.index(&(header.origin + content.end(i)))?;
+            if beam.returned && self.span.holds(end) {
+                self.hit(end, 1);
+            }
             let start = base.local(&self.grid, &(header.origin + content.start(i)));
-            let way = self.way(header, content, i, beam, &start, base)?;
-            out.extend(way.map(|way| Ray { start, stop: start + way }));
+            let last = beam.returned.then(|| [0, 1, 2].map(|axis| end[axis] - base.0[axis]));
+            let way = self.way(beam, &start, last);
+            out.extend(way.map(|(way, part)| Ray { start, stop: start + way, part }));
         }
         Ok(out)
     }
 
-    /// From a beam's start to where it stops saying "empty", in voxels.
-    fn way(
-        &self,
-        header: &Header,
-        content: &Content,
-        i: usize,
-        beam: &Beam,
-        start: &Vec3,
-        base: &Base,
-    ) -> Result<Option<Vec3>> {
+    /// From a beam's start to where it stops saying "empty", in voxels, and which part of its way that is; `last` is the
+    /// voxel of its return.
+    fn way(&self, beam: &Beam, start: &Vec3, last: Option<[i64; 3]>) -> Option<(Vec3, f64)> {
         let range = beam.offset.norm();
         if range <= 0.0 {
-            return Ok(None);
+            return None;
         }
-        if !beam.returned {
+        let Some(last) = last else {
             let far = self.grid.no_return_range / (range * self.grid.voxel);
-            return Ok((far > 0.0).then_some(beam.offset * far));
-        }
-        let end = self.grid.index(&(header.origin + content.end(i)))?;
+            return (far > 0.0).then_some((beam.offset * far, 1.0));
+        };
         let way = beam.offset / self.grid.voxel;
         // The beam enters the voxel of its return where it has crossed the last of the three faces towards it.
         let enters = |axis: usize| {
-            let low = (end[axis] - base.0[axis]) as f64;
+            let low = last[axis] as f64;
             let face = if way[axis] > 0.0 { low } else { low + 1.0 };
             if way[axis] == 0.0 { 0.0 } else { (face - start[axis]) / way[axis] }
         };
-        let enter = enters(0).max(enters(1)).max(enters(2)) - BEFORE / way.norm();
+        let enter = enters(0).max(enters(1)).max(enters(2)) - BEFORE * self.grid.voxel / range;
         let part = enter.min(1.0 - self.grid.margin / range);
-        Ok((part > 0.0).then_some(way * part))
+        (part > 0.0).then_some((way * part, part))
     }
 
     /// Rays that lean towards one axis together, the others one by one. `raster`: their common origin and step.

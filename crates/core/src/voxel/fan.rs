@@ -3,14 +3,24 @@
 //! Seen from the origin of a patch, rays are points of a plane: the slopes of their directions against an axis of the
 //! lattice. The plane is cut into cells a little larger than the distance between neighbouring rays, and each cell knows
 //! how far its rays and those of the eight cells around it all reach. A voxel whose centre is seen in a cell that reaches
-//! beyond it is passed: by a ray where rays are denser than voxels, else between rays that all pass. Rays themselves need
-//! drawing only from where their surroundings stop reaching: before surfaces, at edges, at the border of the patch.
+//! beyond it is passed: by a ray where rays are denser than voxels, else between rays that all pass. At the border of the
+//! patch a ray stands for half a step around it, so that neighbouring patches leave no seam. Rays themselves need drawing
+//! only from where their surroundings stop reaching: before surfaces and at edges. A ray that grazes the surface it
+//! hits says nothing of the voxels that the surface runs through ([`Incidence`]).
+//!
+//! Against drawing every ray: voxels between rays are passed too, and a voxel that only the outermost rays of the field of
+//! view graze, with its centre outside, is not.
 
-use super::slab::{Frame, Line};
+use super::incidence::Incidence;
+use super::slab::{Frame, Line, ceil, floor};
 use crate::geometry::Vec3;
 
 /// Edge of a cell over the distance of neighbouring rays: a square lattice leaves no square of √2 empty.
 const CELL: f64 = 1.5;
+/// Part of a cell that a ray at the border stands for: half a step.
+const HALF_A_STEP: f64 = 0.5 / CELL;
+/// Every ray is drawn so far from its origin, voxels along the axis: the voxels there are wider than all rays.
+const NEAR: f64 = 2.0;
 /// Most cells a ray; beyond, the rays are no raster.
 const MOST_CELLS_A_RAY: usize = 4;
 
@@ -22,9 +32,13 @@ pub struct Fan {
     low: [f64; 2],
     /// Slopes to cells.
     scale: [f64; 2],
+    /// A cell in slopes: 1 / scale.
+    cell: [f64; 2],
     size: [usize; 2],
     /// How far along the axis every ray of the cell and its surroundings reaches; nothing where the cell has no ray.
     clear: Vec<f64>,
+    /// From where along the axis the rays of a cell are drawn: where one of the cells around it is no longer filled.
+    drawn: Vec<f64>,
     rows: Vec<Row>,
 }
 
@@ -38,71 +52,107 @@ struct Row {
 }
 
 impl Fan {
-    /// The rays of a bundle that start at `start` (voxels), neighbours `step` radians apart; and for each ray how far its
-    /// surroundings reach. `None` where they are too few or too scattered.
-    pub fn new(lines: &[Line], frame: &Frame, start: &Vec3, step: f64) -> Option<(Self, Vec<f64>)> {
+    /// The rays of a bundle that start at `start` (voxels), neighbours `step` radians apart; and the number of the cell of
+    /// each. `None` where they are too few or too scattered.
+    pub fn new(lines: &mut [Line], frame: &Frame, start: &Vec3, step: f64) -> Option<(Self, Vec<usize>)> {
         if lines.len() < 64 || !(step > 0.0 && step < 0.2) {
             return None;
         }
+        let origin = [frame.sign * start[frame.along], start[frame.across[0]], start[frame.across[1]]];
+        let mut fan = Self::over(lines, origin, step)?;
+        let cells: Vec<usize> = lines.iter().map(|l| fan.number(&l.slope)).collect();
+        let incidence = Incidence::new(&fan, lines, &cells);
+        let mut reach = vec![f64::INFINITY; fan.size[0] * fan.size[1]];
+        for (line, &cell) in lines.iter_mut().zip(&cells) {
+            line.stop_before(incidence.tangent(line, cell));
+            reach[cell] = reach[cell].min(line.to);
+        }
+        fan.survey(&reach);
+        Some((fan, cells))
+    }
+
+    /// The cells, without what they know.
+    fn over(lines: &[Line], origin: [f64; 3], step: f64) -> Option<Self> {
         let (mut low, mut high, mut stretch) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2], [0.0f64; 2]);
         for line in lines {
-            let square = 1.0 + line.slope[0].powi(2) + line.slope[1].powi(2);
             for k in 0..2 {
                 low[k] = low[k].min(line.slope[k]);
                 high[k] = high[k].max(line.slope[k]);
                 // |∂slope/∂angle| = √(1 + slope²) · √(1 + both²).
-                stretch[k] = stretch[k].max((1.0 + line.slope[k].powi(2)) * square);
+                stretch[k] = stretch[k].max((1.0 + line.slope[k].powi(2)) * line.length_squared());
             }
         }
         let scale = stretch.map(|s| 1.0 / (CELL * step * s.sqrt()));
         let size = [0, 1].map(|k| ((high[k] - low[k]) * scale[k]) as usize + 1);
-        if size[0].saturating_mul(size[1]) > MOST_CELLS_A_RAY * lines.len() {
-            return None;
-        }
-        let origin = [frame.sign * start[frame.along], start[frame.across[0]], start[frame.across[1]]];
-        let mut fan = Self { origin, low, scale, size, clear: Vec::new(), rows: Vec::new() };
-        let cells: Vec<usize> = lines.iter().map(|l| fan.cell(&l.slope)).collect();
-        let mut reach = vec![f64::INFINITY; size[0] * size[1]];
-        for (line, &cell) in lines.iter().zip(&cells) {
-            reach[cell] = reach[cell].min(line.to);
-        }
-        let surroundings = fan.survey(&reach);
-        let clear = cells.into_iter().map(|cell| surroundings[cell]).collect();
-        Some((fan, clear))
+        let few = size[0].saturating_mul(size[1]) <= MOST_CELLS_A_RAY * lines.len();
+        let cell = scale.map(f64::recip);
+        few.then(|| Self { origin, low, scale, cell, size, clear: Vec::new(), drawn: Vec::new(), rows: Vec::new() })
     }
 
-    fn cell(&self, slope: &[f64; 2]) -> usize {
-        let number = |k: usize| (((slope[k] - self.low[k]) * self.scale[k]) as usize).min(self.size[k] - 1);
-        number(1) * self.size[0] + number(0)
+    /// Cells along the first slope, and rows of them.
+    pub fn size(&self) -> [usize; 2] {
+        self.size
     }
 
-    /// From how far each cell reaches to how far its surroundings do: for filling those that have rays, and, returned, for
-    /// drawing, where a cell without rays reaches nowhere.
-    fn survey(&mut self, reach: &[f64]) -> Vec<f64> {
+    /// A cell in slopes.
+    pub fn cell_size(&self) -> [f64; 2] {
+        self.cell
+    }
+
+    /// From the origin along the axis, voxels.
+    pub fn depth(&self, along: f64) -> f64 {
+        along - self.origin[0]
+    }
+
+    fn number(&self, slope: &[f64; 2]) -> usize {
+        let along = |k: usize| (((slope[k] - self.low[k]) * self.scale[k]) as usize).min(self.size[k] - 1);
+        along(1) * self.size[0] + along(0)
+    }
+
+    /// The parts of a ray of a cell that need drawing: up to the first, and from the second on.
+    pub fn drawn(&self, cell: usize) -> [f64; 2] {
+        [self.origin[0] + NEAR, self.drawn[cell]]
+    }
+
+    /// The rows of voxels across the axis that its rays pass between two places along it, and one more on every side.
+    pub fn extent(&self, along: [f64; 2]) -> [[i64; 2]; 2] {
+        [0, 1].map(|k| {
+            let slopes = [self.low[k], self.low[k] + self.size[k] as f64 * self.cell[k]];
+            let depths = along.map(|a| self.depth(a).max(0.0));
+            let all = slopes.map(|slope| depths.map(|depth| self.origin[1 + k] + slope * depth));
+            let all = [all[0][0], all[0][1], all[1][0], all[1][1]];
+            let low = all.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            [floor(low) - 1, floor(high) + 1]
+        })
+    }
+
+    /// From how far each cell reaches to how far its surroundings do.
+    fn survey(&mut self, reach: &[f64]) {
+        self.clear = self.least_around(reach);
+        let filled: Vec<f64> =
+            self.clear.iter().map(|&c| if c == f64::NEG_INFINITY { f64::INFINITY } else { c }).collect();
+        self.drawn = self.least_around(&filled).into_iter().map(f64::floor).collect();
+        self.rows = self.clear.chunks(self.size[0]).map(Row::of).collect();
+    }
+
+    /// The least of every cell and the eight around it, of those that have one; -∞ for a cell that has none itself (∞).
+    fn least_around(&self, of: &[f64]) -> Vec<f64> {
         let [columns, rows] = self.size;
-        let nothing = f64::NEG_INFINITY;
-        self.clear = vec![nothing; reach.len()];
-        let mut to_draw = vec![nothing; reach.len()];
-        for j in 0..rows {
-            for i in 0..columns {
-                let cell = j * columns + i;
-                if reach[cell] == f64::INFINITY {
-                    continue;
-                }
-                let (mut least, mut empty) = (reach[cell], i == 0 || j == 0 || i + 1 == columns || j + 1 == rows);
-                for b in j.saturating_sub(1)..(j + 2).min(rows) {
-                    for a in i.saturating_sub(1)..(i + 2).min(columns) {
-                        let there = reach[b * columns + a];
-                        empty |= there == f64::INFINITY;
-                        least = least.min(there);
-                    }
-                }
-                self.clear[cell] = least;
-                to_draw[cell] = if empty { nothing } else { least };
-            }
-        }
-        self.rows = self.clear.chunks(columns).map(Row::of).collect();
-        to_draw
+        let window = |i: usize, n: usize| i.saturating_sub(1)..(i + 2).min(n);
+        let row_wise: Vec<f64> = (0..of.len())
+            .map(|cell| {
+                let (i, start) = (cell % columns, cell - cell % columns);
+                window(i, columns).fold(f64::INFINITY, |least, a| least.min(of[start + a]))
+            })
+            .collect();
+        (0..of.len())
+            .map(|cell| match of[cell] {
+                f64::INFINITY => f64::NEG_INFINITY,
+                _ => window(cell / columns, rows)
+                    .fold(f64::INFINITY, |least, b| least.min(row_wise[b * columns + cell % columns])),
+            })
+            .collect()
     }
 
     /// Calls `set(row, first, end)` for the voxels of a layer, by numbers across the axis, that lie between rays which all
@@ -115,23 +165,21 @@ impl Fan {
         let beyond = (layer + 1) as f64;
         let (mut last, mut runs): (usize, Vec<[usize; 2]>) = (usize::MAX, Vec::new());
         let seen = |k: usize, slope: f64| self.origin[1 + k] + depth * slope - 0.5;
-        let first = rows[0].max(seen(1, self.low[1]).ceil() as i64);
-        let end = rows[1].min(seen(1, self.low[1] + self.size[1] as f64 / self.scale[1]).ceil() as i64);
+        let pad = [0, 1].map(|k| HALF_A_STEP * self.cell[k]);
+        let first = rows[0].max(ceil(seen(1, self.low[1] - pad[1])));
+        let end = rows[1].min(ceil(seen(1, self.low[1] + self.size[1] as f64 * self.cell[1] + pad[1])));
+        let inverse = self.scale[1] / depth;
         for row in first..end {
-            let slope = (row as f64 + 0.5 - self.origin[2]) / depth;
-            let number = (slope - self.low[1]) * self.scale[1];
-            if !(0.0..self.size[1] as f64).contains(&number) {
-                continue;
-            }
-            let number = number as usize;
+            let number = (row as f64 + 0.5 - self.origin[2]) * inverse - self.low[1] * self.scale[1];
+            let number = (number.max(0.0) as usize).min(self.size[1] - 1);
             if number != last {
                 runs.clear();
                 self.runs(number, beyond, &mut runs);
                 last = number;
             }
             for [from, to] in &runs {
-                let voxel = |cell: usize| seen(0, self.low[0] + cell as f64 / self.scale[0]).ceil() as i64;
-                set(row, voxel(*from), voxel(*to));
+                let voxel = |cell: usize, pad: f64| ceil(seen(0, self.low[0] + cell as f64 * self.cell[0] + pad));
+                set(row, voxel(*from, -pad[0]), voxel(*to, pad[0]));
             }
         }
     }

@@ -1,6 +1,7 @@
 //! The lattice, and the tile of it that is looked at.
 
 use super::block::EDGE;
+use super::slab::floor;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::num::bytes::{Put, Reader};
@@ -131,9 +132,9 @@ impl Grid {
 
     /// Number of the voxel that holds a point; an error beyond the lattice.
     pub fn index(&self, point: &Vec3) -> Result<[i64; 3]> {
-        let i = point.map(|c| (c / self.voxel).floor());
+        let i = point.map(|c| c / self.voxel);
         match i.iter().all(|c| c.abs() <= Self::MAX_INDEX) {
-            true => Ok(i.map(|c| c as i64).into()),
+            true => Ok(i.map(floor).into()),
             false => Err(Error::Limit {
                 what: "a coordinate in voxels",
                 value: format!("{:e}", point.amax() / self.voxel),

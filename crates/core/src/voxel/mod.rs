@@ -18,6 +18,7 @@ mod component;
 mod fan;
 mod filter;
 mod grid;
+mod incidence;
 mod march;
 mod mask;
 mod occupancy;

@@ -14,6 +14,19 @@ const DEPTH: i64 = 64;
 /// Most rows of a slab's bit map (8 bytes each); beyond, rays are so far apart that they are carved one by one.
 const MOST_ROWS: i64 = 1 << 20;
 
+/// The greatest whole number that is not greater. `f64::floor` is a call into the C library where the processor's own
+/// instruction may not be taken for granted.
+pub fn floor(x: f64) -> i64 {
+    let cut = x as i64;
+    cut - i64::from(x < cut as f64)
+}
+
+/// The least whole number that is not less.
+pub fn ceil(x: f64) -> i64 {
+    let cut = x as i64;
+    cut + i64::from(x > cut as f64)
+}
+
 /// A voxel near the patch, from which its coordinates are counted; a multiple of 64 on every axis.
 #[derive(Debug, Clone, Copy)]
 pub struct Base(pub [i64; 3]);
@@ -47,6 +60,8 @@ pub struct Ray {
     pub start: Vec3,
     /// Where it stops.
     pub stop: Vec3,
+    /// Part of the way to its return at which it stops.
+    pub part: f64,
 }
 
 impl Ray {
@@ -63,7 +78,7 @@ impl Ray {
                 return None;
             }
         }
-        (from < to).then(|| Self { start: self.start + way * from, stop: self.start + way * to })
+        (from < to).then(|| Self { start: self.start + way * from, stop: self.start + way * to, part: self.part })
     }
 }
 
@@ -73,6 +88,8 @@ pub struct Line {
     from: f64,
     /// Where it stops along the axis.
     pub to: f64,
+    /// Where its return lies along the axis.
+    pub end: f64,
     at: [f64; 2],
     /// Its other two coordinates a voxel along the axis.
     pub slope: [f64; 2],
@@ -125,11 +142,22 @@ impl Frame {
                 shown[1] = f64::NEG_INFINITY;
             }
         }
-        Line { from, to, at, slope, pace, shown }
+        Line { from, to, end: from + (to - from) / ray.part, at, slope, pace, shown }
     }
 }
 
 impl Line {
+    /// Square of its length a voxel along the axis.
+    pub fn length_squared(&self) -> f64 {
+        1.0 + self.slope[0].powi(2) + self.slope[1].powi(2)
+    }
+
+    /// Stops so many voxels (of its own length) earlier.
+    pub fn stop_before(&mut self, voxels: f64) {
+        self.to = (self.to - voxels / self.length_squared().sqrt()).max(self.from);
+        self.shown[1] = self.shown[1].min(self.to);
+    }
+
     fn across(&self, k: usize, along: f64) -> f64 {
         self.at[k] + self.slope[k] * (along - self.from)
     }
@@ -151,23 +179,20 @@ impl Line {
 pub struct Bundle {
     frame: Frame,
     base: Base,
+    /// Voxels from the base.
+    tile: Span,
     lines: Vec<Line>,
-    /// From where along the axis each line has to be drawn; before that the fan fills.
-    drawn_from: Vec<f64>,
-    fan: Option<Fan>,
+    /// Fills what need not be drawn, with the cell of each line.
+    fan: Option<(Fan, Vec<usize>)>,
 }
 
 impl Bundle {
     /// Of rays that lean towards a frame's axis; those of one `origin`, neighbours a `step` apart, may be filled between.
     pub fn new(rays: &[Ray], frame: Frame, base: Base, span: &Span, raster: Option<(Vec3, f64)>) -> Self {
         let tile = base.span(span);
-        let lines: Vec<Line> = rays.iter().map(|r| frame.line(r, &tile)).collect();
-        let fan = raster.and_then(|(origin, step)| Fan::new(&lines, &frame, &origin, step));
-        let (fan, drawn_from) = match fan {
-            Some((fan, clear)) => (Some(fan), clear.into_iter().map(f64::floor).collect()),
-            None => (None, vec![f64::NEG_INFINITY; lines.len()]),
-        };
-        Self { frame, base, lines, drawn_from, fan }
+        let mut lines: Vec<Line> = rays.iter().map(|r| frame.line(r, &tile)).collect();
+        let fan = raster.and_then(|(origin, step)| Fan::new(&mut lines, &frame, &origin, step));
+        Self { frame, base, tile, lines, fan }
     }
 
     /// Carves it; `check` is asked at every slab whether to go on.
@@ -181,7 +206,7 @@ impl Bundle {
         for number in (ends[0].floor() as i64).div_euclid(DEPTH)..=(ends[1].floor() as i64).div_euclid(DEPTH) {
             check(occupancy)?;
             let slab = [number * DEPTH, (number + 1) * DEPTH];
-            if map.fit(&self.lines, slab) {
+            if self.fit(&mut map, slab) {
                 self.draw(&mut map, slab);
                 map.merge(occupancy, &self.frame, slab[0], &self.base);
             } else {
@@ -194,17 +219,36 @@ impl Bundle {
         Ok(())
     }
 
+    /// Makes room for what lines pass through in a slab; `false` where that would be too much.
+    fn fit(&self, map: &mut BitMap, slab: [i64; 2]) -> bool {
+        let rows = match &self.fan {
+            Some((fan, _)) => {
+                let of_fan = fan.extent(slab.map(|i| i as f64));
+                let tile = self.frame.across.map(|axis| self.tile.0[axis]);
+                [0, 1].map(|k| [of_fan[k][0].max(tile[k][0] - 1), of_fan[k][1].min(tile[k][1] + 1)])
+            }
+            None => extent(&self.lines, slab),
+        };
+        map.make_room(rows)
+    }
+
     fn draw(&self, map: &mut BitMap, slab: [i64; 2]) {
-        for (line, &from) in self.lines.iter().zip(&self.drawn_from) {
-            if let Some([start, stop]) = line.within(slab)
-                && from < stop
-            {
-                map.draw(line, [start.max(from), stop], slab[0]);
+        let Some((fan, cells)) = &self.fan else {
+            for line in &self.lines {
+                map.draw(line, [f64::NEG_INFINITY, f64::INFINITY], slab);
+            }
+            return;
+        };
+        for (line, &cell) in self.lines.iter().zip(cells) {
+            let [near, from] = fan.drawn(cell);
+            if near > slab[0] as f64 {
+                map.draw(line, [f64::NEG_INFINITY, near], slab);
+            }
+            if from < slab[1] as f64 {
+                map.draw(line, [from.max(near), f64::INFINITY], slab);
             }
         }
-        if let Some(fan) = &self.fan {
-            map.fill(fan, slab);
-        }
+        map.fill(fan, slab);
     }
 
     /// The part of a line inside a slab, voxel by voxel.
@@ -216,9 +260,22 @@ impl Bundle {
                 (0..2).for_each(|k| p[self.frame.across[k]] = line.across(k, along));
                 p
             };
-            occupancy.carve_alone(&Ray { start: point(from), stop: point(to) }, &self.base);
+            occupancy.carve_alone(&Ray { start: point(from), stop: point(to), part: 1.0 }, &self.base);
         }
     }
+}
+
+/// First and last row across the axis that lines pass through in a slab, and one more on every side for rounding.
+fn extent(lines: &[Line], slab: [i64; 2]) -> [[i64; 2]; 2] {
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for (line, [from, to]) in lines.iter().filter_map(|l| Some((l, l.within(slab)?))) {
+        for k in 0..2 {
+            let ends = [line.across(k, from), line.across(k, to)];
+            low[k] = low[k].min(ends[0]).min(ends[1]);
+            high[k] = high[k].max(ends[0]).max(ends[1]);
+        }
+    }
+    [0, 1].map(|k| if low[k] <= high[k] { [floor(low[k]) - 1, floor(high[k]) + 1] } else { [0, -1] })
 }
 
 /// A slab of voxels, in rows along the axis and, where a fan filled it, in rows across it.
@@ -235,29 +292,16 @@ struct BitMap {
 }
 
 impl BitMap {
-    /// Makes room, empty, for what lines pass through in a slab; `false` where that would be too much.
-    fn fit(&mut self, lines: &[Line], slab: [i64; 2]) -> bool {
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for line in lines {
-            if let Some([from, to]) = line.within(slab) {
-                for k in 0..2 {
-                    let ends = [line.across(k, from), line.across(k, to)];
-                    low[k] = low[k].min(ends[0]).min(ends[1]);
-                    high[k] = high[k].max(ends[0]).max(ends[1]);
-                }
-            }
-        }
+    /// Makes room, empty, from the first to the last row on either axis; `false` where that would be too much.
+    fn make_room(&mut self, rows: [[i64; 2]; 2]) -> bool {
         self.size = [0; 2];
         self.words.clear();
         self.filled.clear();
-        if low[0] > high[0] {
+        if rows.iter().any(|[first, last]| first > last) {
             return true;
         }
-        // A row more on every side: rounding may reach into it.
-        for k in 0..2 {
-            self.first[k] = (low[k].floor() as i64 - 1).div_euclid(EDGE) * EDGE;
-            self.size[k] = ((high[k].floor() as i64 + 1).div_euclid(EDGE) + 1) * EDGE - self.first[k];
-        }
+        self.first = rows.map(|[first, _]| first.div_euclid(EDGE) * EDGE);
+        self.size = [0, 1].map(|k| (rows[k][1].div_euclid(EDGE) + 1) * EDGE - self.first[k]);
         let rows = self.size[0].saturating_mul(self.size[1]);
         if rows > MOST_ROWS {
             return false;
@@ -266,16 +310,21 @@ impl BitMap {
         true
     }
 
-    /// Sets the voxels that a part of a line passes through.
-    fn draw(&mut self, line: &Line, [mut from, to]: [f64; 2], slab: i64) {
-        let mut row = [0, 1].map(|k| line.across(k, from).floor() as i64);
+    /// Sets the voxels of a slab that a part of a line passes through.
+    fn draw(&mut self, line: &Line, part: [f64; 2], slab: [i64; 2]) {
+        let Some([from, to]) = line.within(slab) else { return };
+        let (mut from, to, slab) = (from.max(part[0]), to.min(part[1]), slab[0]);
+        if from >= to || self.words.is_empty() {
+            return;
+        }
+        let mut row = [0, 1].map(|k| floor(line.across(k, from)));
         let mut leaves = [0, 1].map(|k| line.leaves(k, row[k]));
         let step = [0, 1].map(|k| if line.slope[k] > 0.0 { 1 } else { -1 });
         loop {
             let k = usize::from(leaves[1] < leaves[0]);
             let until = leaves[k].min(to).max(from);
-            let first = (from.floor() as i64 - slab).clamp(0, DEPTH - 1);
-            let last = (until.ceil() as i64 - 1 - slab).clamp(first, DEPTH - 1);
+            let first = (floor(from) - slab).clamp(0, DEPTH - 1);
+            let last = (ceil(until) - 1 - slab).clamp(first, DEPTH - 1);
             let word = (row[1] - self.first[1]) * self.size[0] + row[0] - self.first[0];
             self.words[word as usize] |= (u64::MAX >> (DEPTH - 1 - (last - first))) << first;
             if leaves[k] >= to {
@@ -291,8 +340,11 @@ impl BitMap {
     fn fill(&mut self, fan: &Fan, slab: [i64; 2]) {
         let ([first, rows], [width, height]) = (self.first, self.size);
         let bytes = (width / EDGE) as usize;
+        if self.words.is_empty() {
+            return;
+        }
         self.filled.resize(DEPTH as usize * height as usize * bytes, 0);
-        for (layer, plane) in (slab[0]..slab[1]).zip(self.filled.chunks_mut((height as usize * bytes).max(1))) {
+        for (layer, plane) in (slab[0]..slab[1]).zip(self.filled.chunks_mut(height as usize * bytes)) {
             fan.fill_layer(layer, [rows, rows + height], |row, from, end| {
                 let start = (row - rows) as usize * bytes;
                 let (from, end) = ((from - first).clamp(0, width), (end - first).clamp(0, width));
@@ -358,7 +410,8 @@ impl BitMap {
         let bits: Bits = std::array::from_fn(|a| {
             u64::from_le_bytes(std::array::from_fn(|b| if upright { byte(a, b) } else { byte(b, a) }))
         });
-        (bits != [0; 8]).then(|| if frame.along == 0 { bits.map(transposed) } else { bits })
+        let any = bits.iter().fold(0, |any, word| any | word) != 0;
+        any.then(|| if frame.along == 0 { bits.map(transposed) } else { bits })
     }
 }
 

@@ -1,0 +1,95 @@
+//! At which angle rays of a fan meet the surface they hit, by what their neighbours hit.
+
+use super::fan::Fan;
+use super::slab::Line;
+
+/// Beyond 87° the tangent says nothing more.
+const MOST_TANGENT: f64 = 20.0;
+
+/// The slope of the surface in every cell of a fan.
+///
+/// In the plane of slopes the inverse depth of a plane is linear: with (u, v) the slopes and z the depth of a point,
+/// a·x + b·y + c·z = 1 is 1/z = a·u + b·v + c. At the edge of a thing its own side counts, so of the differences to either
+/// neighbour the smaller is taken, and none where they disagree in sign (the minmod limiter of Roe 1986).
+#[derive(Debug)]
+pub struct Incidence {
+    /// (a, b) of every cell.
+    gradient: Vec<[f64; 2]>,
+    origin_depth: f64,
+}
+
+impl Incidence {
+    /// From the returns of all rays, each in a cell.
+    pub fn new(fan: &Fan, lines: &[Line], cells: &[usize]) -> Self {
+        let size = fan.size();
+        let mut sums = vec![(0.0f64, 0.0f64); size[0] * size[1]];
+        for (line, &cell) in lines.iter().zip(cells) {
+            sums[cell].0 += 1.0 / fan.depth(line.end).max(1e-3);
+            sums[cell].1 += 1.0;
+        }
+        let inverse: Vec<Option<f64>> = sums.iter().map(|(sum, n)| (*n > 0.0).then(|| sum / n)).collect();
+        let mut gradient = vec![[0.0; 2]; inverse.len()];
+        for axis in 0..2 {
+            let slope = |cell: usize, sides: [Option<usize>; 2]| {
+                let own = inverse[cell]?;
+                let [before, after] = sides.map(|side| side.and_then(|c| inverse[c]));
+                Some(minmod(before.map(|q| own - q), after.map(|q| q - own)))
+            };
+            let slopes: Vec<Option<f64>> = along(size, axis).map(|(cell, sides)| slope(cell, sides)).collect();
+            for (cell, sides) in along(size, axis) {
+                let [before, after] = sides.map(|side| side.and_then(|c| slopes[c]));
+                let own = slopes[cell];
+                // A cell with returns of two things looks steep; its neighbours do not.
+                gradient[cell][axis] =
+                    minmod(Some(minmod(before, own)), Some(minmod(own, after))) / fan.cell_size()[axis];
+            }
+        }
+        Self { gradient, origin_depth: fan.depth(0.0) }
+    }
+
+    /// Tangent of the angle between a ray of a cell and the normal of what it hits.
+    pub fn tangent(&self, line: &Line, cell: usize) -> f64 {
+        let ([a, b], [u, v]) = (self.gradient[cell], line.slope);
+        let inverse = 1.0 / (line.end + self.origin_depth).max(1e-3);
+        let c = inverse - a * u - b * v;
+        let square = (a * a + b * b + c * c) * line.length_squared() / (inverse * inverse) - 1.0;
+        square.max(0.0).sqrt().min(MOST_TANGENT)
+    }
+}
+
+/// Every cell with those before and after it on an axis.
+fn along([columns, rows]: [usize; 2], axis: usize) -> impl Iterator<Item = (usize, [Option<usize>; 2])> {
+    let (stride, length) = if axis == 0 { (1, columns) } else { (columns, rows) };
+    (0..columns * rows).map(move |cell| {
+        let number = cell / stride % length;
+        (cell, [(number > 0).then(|| cell - stride), (number + 1 < length).then(|| cell + stride)])
+    })
+}
+
+/// The smaller of two differences of one sign, else 0; the one that there is.
+fn minmod(a: Option<f64>, b: Option<f64>) -> f64 {
+    match (a, b) {
+        (Some(a), Some(b)) if a * b > 0.0 => {
+            if a.abs() < b.abs() {
+                a
+            } else {
+                b
+            }
+        }
+        (Some(_), Some(_)) | (None, None) => 0.0,
+        (Some(one), None) | (None, Some(one)) => one,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_smaller_difference_counts() {
+        assert_eq!(minmod(Some(1.0), Some(3.0)), 1.0);
+        assert_eq!(minmod(Some(-1.0), Some(-0.5)), -0.5);
+        assert_eq!(minmod(Some(-1.0), Some(0.5)), 0.0);
+        assert_eq!((minmod(None, Some(0.5)), minmod(None, None)), (0.5, 0.0));
+    }
+}
