@@ -12,6 +12,7 @@
 //! view graze, with its centre outside, is not.
 
 use super::incidence::Incidence;
+use super::raster::Raster;
 use super::slab::{Frame, Line, ceil, floor};
 use crate::geometry::Vec3;
 
@@ -29,12 +30,8 @@ const MOST_CELLS_A_RAY: usize = 4;
 pub struct Fan {
     /// Where all start: along the axis, and across it, voxels.
     origin: [f64; 3],
-    low: [f64; 2],
-    /// Slopes to cells.
-    scale: [f64; 2],
-    /// A cell in slopes: 1 / scale.
-    cell: [f64; 2],
-    size: [usize; 2],
+    /// The cells along either slope.
+    axes: [Raster; 2],
     /// How far along the axis every ray of the cell and its surroundings reaches; nothing where the cell has no ray.
     clear: Vec<f64>,
     /// From where along the axis the rays of a cell are drawn: where one of the cells around it is no longer filled.
@@ -62,7 +59,7 @@ impl Fan {
         let mut fan = Self::over(lines, origin, step)?;
         let cells: Vec<usize> = lines.iter().map(|l| fan.number(&l.slope)).collect();
         let incidence = Incidence::new(&fan, lines, &cells);
-        let mut reach = vec![f64::INFINITY; fan.size[0] * fan.size[1]];
+        let mut reach = vec![f64::INFINITY; fan.axes[0].len() * fan.axes[1].len()];
         for (line, &cell) in lines.iter_mut().zip(&cells) {
             line.stop_before(incidence.tangent(line, cell));
             reach[cell] = reach[cell].min(line.to);
@@ -78,25 +75,20 @@ impl Fan {
             for k in 0..2 {
                 low[k] = low[k].min(line.slope[k]);
                 high[k] = high[k].max(line.slope[k]);
-                // |∂slope/∂angle| = √(1 + slope²) · √(1 + both²).
-                stretch[k] = stretch[k].max((1.0 + line.slope[k].powi(2)) * line.length_squared());
+                // |∂ atan(slope) / ∂angle|².
+                stretch[k] = stretch[k].max(line.length_squared() / (1.0 + line.slope[k].powi(2)));
             }
         }
-        let scale = stretch.map(|s| 1.0 / (CELL * step * s.sqrt()));
-        let size = [0, 1].map(|k| ((high[k] - low[k]) * scale[k]) as usize + 1);
-        let few = size[0].saturating_mul(size[1]) <= MOST_CELLS_A_RAY * lines.len();
-        let cell = scale.map(f64::recip);
-        few.then(|| Self { origin, low, scale, cell, size, clear: Vec::new(), drawn: Vec::new(), rows: Vec::new() })
+        let most = MOST_CELLS_A_RAY * lines.len();
+        let raster = |k: usize| Raster::new(low[k], high[k], CELL * step * stretch[k].sqrt(), most);
+        let axes = [raster(0)?, raster(1)?];
+        let few = axes[0].len() * axes[1].len() <= most;
+        few.then(|| Self { origin, axes, clear: Vec::new(), drawn: Vec::new(), rows: Vec::new() })
     }
 
-    /// Cells along the first slope, and rows of them.
-    pub fn size(&self) -> [usize; 2] {
-        self.size
-    }
-
-    /// A cell in slopes.
-    pub fn cell_size(&self) -> [f64; 2] {
-        self.cell
+    /// The cells along either slope; they are counted in rows along the first.
+    pub fn axes(&self) -> &[Raster; 2] {
+        &self.axes
     }
 
     /// From the origin along the axis, voxels.
@@ -105,8 +97,7 @@ impl Fan {
     }
 
     fn number(&self, slope: &[f64; 2]) -> usize {
-        let along = |k: usize| (((slope[k] - self.low[k]) * self.scale[k]) as usize).min(self.size[k] - 1);
-        along(1) * self.size[0] + along(0)
+        self.axes[1].cell(slope[1]) * self.axes[0].len() + self.axes[0].cell(slope[0])
     }
 
     /// The parts of a ray of a cell that need drawing: up to the first, and from the second on.
@@ -117,7 +108,7 @@ impl Fan {
     /// The rows of voxels across the axis that its rays pass between two places along it, and one more on every side.
     pub fn extent(&self, along: [f64; 2]) -> [[i64; 2]; 2] {
         [0, 1].map(|k| {
-            let slopes = [self.low[k], self.low[k] + self.size[k] as f64 * self.cell[k]];
+            let slopes = self.axes[k].all(HALF_A_STEP);
             let depths = along.map(|a| self.depth(a).max(0.0));
             let all = slopes.map(|slope| depths.map(|depth| self.origin[1 + k] + slope * depth));
             let all = [all[0][0], all[0][1], all[1][0], all[1][1]];
@@ -133,12 +124,12 @@ impl Fan {
         let filled: Vec<f64> =
             self.clear.iter().map(|&c| if c == f64::NEG_INFINITY { f64::INFINITY } else { c }).collect();
         self.drawn = self.least_around(&filled).into_iter().map(f64::floor).collect();
-        self.rows = self.clear.chunks(self.size[0]).map(Row::of).collect();
+        self.rows = self.clear.chunks(self.axes[0].len()).map(Row::of).collect();
     }
 
     /// The least of every cell and the eight around it, of those that have one; -∞ for a cell that has none itself (∞).
     fn least_around(&self, of: &[f64]) -> Vec<f64> {
-        let [columns, rows] = self.size;
+        let [columns, rows] = [0, 1].map(|k| self.axes[k].len());
         let window = |i: usize, n: usize| i.saturating_sub(1)..(i + 2).min(n);
         let row_wise: Vec<f64> = (0..of.len())
             .map(|cell| {
@@ -163,40 +154,39 @@ impl Fan {
             return;
         }
         let beyond = (layer + 1) as f64;
-        let (mut last, mut runs): (usize, Vec<[usize; 2]>) = (usize::MAX, Vec::new());
+        let (mut last, mut runs): (usize, Vec<[f64; 2]>) = (usize::MAX, Vec::new());
         let seen = |k: usize, slope: f64| self.origin[1 + k] + depth * slope - 0.5;
-        let pad = [0, 1].map(|k| HALF_A_STEP * self.cell[k]);
-        let first = rows[0].max(ceil(seen(1, self.low[1] - pad[1])));
-        let end = rows[1].min(ceil(seen(1, self.low[1] + self.size[1] as f64 * self.cell[1] + pad[1])));
-        let inverse = self.scale[1] / depth;
+        let ends = self.axes[1].all(HALF_A_STEP);
+        let (first, end) = (rows[0].max(ceil(seen(1, ends[0]))), rows[1].min(ceil(seen(1, ends[1]))));
         for row in first..end {
-            let number = (row as f64 + 0.5 - self.origin[2]) * inverse - self.low[1] * self.scale[1];
-            let number = (number.max(0.0) as usize).min(self.size[1] - 1);
+            let number = self.axes[1].cell((row as f64 + 0.5 - self.origin[2]) / depth);
             if number != last {
                 runs.clear();
                 self.runs(number, beyond, &mut runs);
                 last = number;
             }
-            for [from, to] in &runs {
-                let voxel = |cell: usize, pad: f64| ceil(seen(0, self.low[0] + cell as f64 * self.cell[0] + pad));
-                set(row, voxel(*from, -pad[0]), voxel(*to, pad[0]));
+            for slopes in &runs {
+                let [from, end] = slopes.map(|slope| ceil(seen(0, slope)));
+                set(row, from, end);
             }
         }
     }
 
-    /// The cells of a row that reach `beyond`.
-    fn runs(&self, row: usize, beyond: f64, out: &mut Vec<[usize; 2]>) {
+    /// The slopes of a row's cells that reach `beyond`.
+    fn runs(&self, row: usize, beyond: f64, out: &mut Vec<[f64; 2]>) {
+        let slopes = |cells: [usize; 2]| self.axes[0].slopes(cells, HALF_A_STEP);
         if self.rows[row].least >= beyond {
-            out.push(self.rows[row].whole);
+            out.push(slopes(self.rows[row].whole));
             return;
         }
-        let clear = &self.clear[row * self.size[0]..(row + 1) * self.size[0]];
+        let columns = self.axes[0].len();
+        let clear = &self.clear[row * columns..(row + 1) * columns];
         let mut from = None;
         for (i, &c) in clear.iter().chain([&f64::NEG_INFINITY]).enumerate() {
             match (from, c >= beyond) {
                 (None, true) => from = Some(i),
                 (Some(first), false) => {
-                    out.push([first, i]);
+                    out.push(slopes([first, i]));
                     from = None;
                 }
                 _ => {}

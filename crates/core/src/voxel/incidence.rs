@@ -21,7 +21,7 @@ pub struct Incidence {
 impl Incidence {
     /// From the returns of all rays, each in a cell.
     pub fn new(fan: &Fan, lines: &[Line], cells: &[usize]) -> Self {
-        let size = fan.size();
+        let size = [0, 1].map(|k| fan.axes()[k].len());
         let mut sums = vec![(0.0f64, 0.0f64); size[0] * size[1]];
         for (line, &cell) in lines.iter().zip(cells) {
             sums[cell].0 += 1.0 / fan.depth(line.end).max(1e-3);
@@ -33,15 +33,16 @@ impl Incidence {
             let slope = |cell: usize, sides: [Option<usize>; 2]| {
                 let own = inverse[cell]?;
                 let [before, after] = sides.map(|side| side.and_then(|c| inverse[c]));
-                Some(minmod(before.map(|q| own - q), after.map(|q| q - own)))
+                let number = if axis == 0 { cell % size[0] } else { cell / size[0] };
+                let pitch = |cell: usize| fan.axes()[axis].pitch(cell);
+                Some(minmod(before.map(|q| (own - q) / pitch(number - 1)), after.map(|q| (q - own) / pitch(number))))
             };
             let slopes: Vec<Option<f64>> = along(size, axis).map(|(cell, sides)| slope(cell, sides)).collect();
             for (cell, sides) in along(size, axis) {
                 let [before, after] = sides.map(|side| side.and_then(|c| slopes[c]));
                 let own = slopes[cell];
                 // A cell with returns of two things looks steep; its neighbours do not.
-                gradient[cell][axis] =
-                    minmod(Some(minmod(before, own)), Some(minmod(own, after))) / fan.cell_size()[axis];
+                gradient[cell][axis] = minmod(Some(minmod(before, own)), Some(minmod(own, after)));
             }
         }
         Self { gradient, origin_depth: fan.depth(0.0) }

@@ -23,6 +23,7 @@ mod march;
 mod mask;
 mod occupancy;
 mod occupancy_bytes;
+mod raster;
 mod slab;
 mod slice;
 mod surface;
