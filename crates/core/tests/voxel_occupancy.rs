@@ -251,7 +251,7 @@ fn filling_between_rays_is_bounded() {
                 // where fewer rays are around it than inside.
                 let skin = near(&at, (2.5 * step).max(1.25 * voxel / at.norm()))
                     .into_iter()
-                    .any(|r| (r - at.norm()).abs() < 3.0 * voxel);
+                    .any(|r| (r - at.norm()).abs() < 6.0 * voxel);
                 let around = near(&at, (3.0 * step).max(1.25 * voxel / at.norm())).len() as f64;
                 let full = std::f64::consts::PI * ((3.0 * step).max(1.25 * voxel / at.norm()) / step).powi(2);
                 assert!(

@@ -5,6 +5,8 @@ use super::slab::Line;
 
 /// Beyond 87° the tangent says nothing more.
 const MOST_TANGENT: f64 = 20.0;
+/// Returns of a plane are off its inverse depths by less than this part of what these change across a cell.
+const SPREAD: f64 = 0.25;
 
 /// The slope of the surface in every cell of a fan.
 ///
@@ -15,6 +17,10 @@ const MOST_TANGENT: f64 = 20.0;
 pub struct Incidence {
     /// (a, b) of every cell.
     gradient: Vec<[f64; 2]>,
+    /// Mean of the inverse depths of a cell, and of the slopes they are seen at.
+    mean: Vec<[f64; 3]>,
+    /// By how much an inverse depth may be off the plane of its cell.
+    spread: Vec<f64>,
     origin_depth: f64,
 }
 
@@ -22,18 +28,22 @@ impl Incidence {
     /// From the returns of all rays, each in a cell.
     pub fn new(fan: &Fan, lines: &[Line], cells: &[usize]) -> Self {
         let size = [0, 1].map(|k| fan.axes()[k].len());
-        let mut sums = vec![(0.0f64, 0.0f64); size[0] * size[1]];
+        let mut sums = vec![([0.0f64; 3], 0.0f64); size[0] * size[1]];
         for (line, &cell) in lines.iter().zip(cells) {
-            sums[cell].0 += 1.0 / fan.depth(line.end).max(1e-3);
+            let own = [1.0 / fan.depth(line.end).max(1e-3), line.slope[0], line.slope[1]];
+            (0..3).for_each(|i| sums[cell].0[i] += own[i]);
             sums[cell].1 += 1.0;
         }
-        let inverse: Vec<Option<f64>> = sums.iter().map(|(sum, n)| (*n > 0.0).then(|| sum / n)).collect();
+        let mean: Vec<[f64; 3]> = sums.iter().map(|(sum, n)| sum.map(|s| s / n.max(1.0))).collect();
+        let inverse: Vec<Option<f64>> = sums.iter().zip(&mean).map(|(s, m)| (s.1 > 0.0).then_some(m[0])).collect();
         let mut gradient = vec![[0.0; 2]; inverse.len()];
+        let mut spread = vec![0.0; inverse.len()];
+        let number = |cell: usize, axis: usize| if axis == 0 { cell % size[0] } else { cell / size[0] };
         for axis in 0..2 {
             let slope = |cell: usize, sides: [Option<usize>; 2]| {
                 let own = inverse[cell]?;
                 let [before, after] = sides.map(|side| side.and_then(|c| inverse[c]));
-                let number = if axis == 0 { cell % size[0] } else { cell / size[0] };
+                let number = number(cell, axis);
                 let pitch = |cell: usize| fan.axes()[axis].pitch(cell);
                 Some(minmod(before.map(|q| (own - q) / pitch(number - 1)), after.map(|q| (q - own) / pitch(number))))
             };
@@ -43,15 +53,22 @@ impl Incidence {
                 let own = slopes[cell];
                 // A cell with returns of two things looks steep; its neighbours do not.
                 gradient[cell][axis] = minmod(Some(minmod(before, own)), Some(minmod(own, after)));
+                let [low, high] = fan.axes()[axis].slopes([number(cell, axis), number(cell, axis) + 1], 0.0);
+                spread[cell] += SPREAD * gradient[cell][axis].abs() * (high - low);
             }
         }
-        Self { gradient, origin_depth: fan.depth(0.0) }
+        Self { gradient, mean, spread, origin_depth: fan.depth(0.0) }
     }
 
-    /// Tangent of the angle between a ray of a cell and the normal of what it hits.
+    /// Tangent of the angle between a ray of a cell and the normal of what it hits; 0 where the cell's returns lie on no
+    /// plane, as at the edge of a thing.
     pub fn tangent(&self, line: &Line, cell: usize) -> f64 {
         let ([a, b], [u, v]) = (self.gradient[cell], line.slope);
         let inverse = 1.0 / (line.end + self.origin_depth).max(1e-3);
+        let [mean, mean_u, mean_v] = self.mean[cell];
+        if (inverse - mean - a * (u - mean_u) - b * (v - mean_v)).abs() > self.spread[cell] {
+            return 0.0;
+        }
         let c = inverse - a * u - b * v;
         let square = (a * a + b * b + c * c) * line.length_squared() / (inverse * inverse) - 1.0;
         square.max(0.0).sqrt().min(MOST_TANGENT)
