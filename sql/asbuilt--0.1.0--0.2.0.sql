@@ -373,6 +373,14 @@ CREATE FUNCTION ab_union(o1 ab_occupancy, o2 ab_occupancy) RETURNS ab_occupancy
     AS 'MODULE_PATHNAME', 'ab_occupancy_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 400000;
 COMMENT ON FUNCTION ab_union(ab_occupancy, ab_occupancy) IS 'The same as ab_rollup';
 
+CREATE FUNCTION ab_occupancy(grid ab_grid) RETURNS ab_occupancy
+    AS 'MODULE_PATHNAME', 'ab_occupancy_empty' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
+COMMENT ON FUNCTION ab_occupancy(ab_grid) IS 'An occupancy of which nothing is known: what ab_occupancy_agg of no rows would be, were it not NULL';
+
+CREATE FUNCTION ab_clip(occupancy ab_occupancy, tile ab_box) RETURNS ab_occupancy
+    AS 'MODULE_PATHNAME', 'ab_occupancy_clip' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 200000;
+COMMENT ON FUNCTION ab_clip(ab_occupancy, ab_box) IS 'The voxels of an occupancy whose centres lie in a box';
+
 
 CREATE FUNCTION ab_state(occupancy ab_occupancy, x float8, y float8, z float8, threshold integer DEFAULT 3) RETURNS text
     AS 'MODULE_PATHNAME', 'ab_occupancy_state' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000;
@@ -421,7 +429,11 @@ COMMENT ON FUNCTION ab_voxels(ab_change, text[]) IS 'Centres of the voxels of so
 
 CREATE FUNCTION ab_components(change ab_change, of_class text DEFAULT NULL, min_voxels integer DEFAULT 10, gap float8 DEFAULT NULL, OUT class text, OUT voxels bigint, OUT volume float8, OUT box ab_box, OUT centroid float8[]) RETURNS SETOF record
     AS 'MODULE_PATHNAME', 'ab_change_components' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 500000 ROWS 20;
-COMMENT ON FUNCTION ab_components(ab_change, text, integer, float8) IS 'What is new or has disappeared (or is of the class named) as connected things of at least min_voxels, largest first; voxels hang together when the gap between them is less than that (metres; NULL: two voxels)';
+COMMENT ON FUNCTION ab_components(ab_change, text, integer, float8) IS 'What is new or has disappeared (or is of the class named) as connected things of at least min_voxels, largest first; voxels hang together when the gap between them is less than that (metres; NULL: four voxels)';
+
+CREATE FUNCTION ab_clip(change ab_change, tile ab_box) RETURNS ab_change
+    AS 'MODULE_PATHNAME', 'ab_change_clip' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000;
+COMMENT ON FUNCTION ab_clip(ab_change, ab_box) IS 'The voxels of a change whose centres lie in a box: aggregate tiles a little larger than wanted, so that the tolerance sees across their borders, and clip their change';
 
 CREATE FUNCTION ab_rollup(c1 ab_change, c2 ab_change) RETURNS ab_change
     AS 'MODULE_PATHNAME', 'ab_change_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 200000;
@@ -429,6 +441,49 @@ COMMENT ON FUNCTION ab_rollup(ab_change, ab_change) IS 'Changes of two tiles as 
 
 CREATE AGGREGATE ab_rollup_agg(change ab_change) (SFUNC = ab_rollup, STYPE = ab_change, COMBINEFUNC = ab_rollup, PARALLEL = SAFE);
 COMMENT ON AGGREGATE ab_rollup_agg(ab_change) IS 'Changes of tiles as one, so that ab_components sees what crosses their borders';
+
+CREATE FUNCTION ab_differ(a ab_box, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_box_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_differ(ab_box, ab_box) IS 'Not the same numbers';
+CREATE FUNCTION ab_hash(box ab_box) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_box_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_box) IS 'Hash of the numbers';
+CREATE FUNCTION ab_hash(box ab_box, seed bigint) RETURNS bigint
+    AS 'MODULE_PATHNAME', 'ab_box_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_box, bigint) IS 'Hash of the numbers with a seed';
+CREATE OPERATOR = (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES, MERGES);
+COMMENT ON OPERATOR = (ab_box, ab_box) IS 'Same numbers';
+CREATE OPERATOR <> (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
+COMMENT ON OPERATOR <> (ab_box, ab_box) IS 'Not the same numbers';
+CREATE OPERATOR CLASS ab_box_hash_ops DEFAULT FOR TYPE ab_box USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_box), FUNCTION 2 ab_hash(ab_box, bigint);
+COMMENT ON OPERATOR CLASS ab_box_hash_ops USING hash IS 'Joins and groups by equal numbers';
+CREATE FUNCTION ab_lt(a ab_box, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_box_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_lt(ab_box, ab_box) IS 'Before in the order of their corners';
+CREATE OPERATOR < (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
+COMMENT ON OPERATOR < (ab_box, ab_box) IS 'Before in the order of their corners';
+CREATE FUNCTION ab_le(a ab_box, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_box_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_le(ab_box, ab_box) IS 'Not after in the order of their corners';
+CREATE OPERATOR <= (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_le, COMMUTATOR = >=, NEGATOR = >, RESTRICT = scalarlesel, JOIN = scalarlejoinsel);
+COMMENT ON OPERATOR <= (ab_box, ab_box) IS 'Not after in the order of their corners';
+CREATE FUNCTION ab_ge(a ab_box, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_box_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_ge(ab_box, ab_box) IS 'Not before in the order of their corners';
+CREATE OPERATOR >= (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_ge, COMMUTATOR = <=, NEGATOR = <, RESTRICT = scalargesel, JOIN = scalargejoinsel);
+COMMENT ON OPERATOR >= (ab_box, ab_box) IS 'Not before in the order of their corners';
+CREATE FUNCTION ab_gt(a ab_box, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_box_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gt(ab_box, ab_box) IS 'After in the order of their corners';
+CREATE OPERATOR > (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
+COMMENT ON OPERATOR > (ab_box, ab_box) IS 'After in the order of their corners';
+CREATE FUNCTION ab_compare(a ab_box, b ab_box) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_box_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_compare(ab_box, ab_box) IS '-1, 0 or 1 in the order of their corners';
+CREATE OPERATOR CLASS ab_box_ops DEFAULT FOR TYPE ab_box USING btree AS
+    OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 ab_compare(ab_box, ab_box);
+COMMENT ON OPERATOR CLASS ab_box_ops USING btree IS 'Order by their corners';
+
 
 CREATE FUNCTION ab_overlaps(a ab_occupancy, b ab_box) RETURNS boolean
     AS 'MODULE_PATHNAME', 'ab_overlaps_tile_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20;

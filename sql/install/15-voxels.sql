@@ -106,6 +106,14 @@ CREATE FUNCTION ab_union(o1 ab_occupancy, o2 ab_occupancy) RETURNS ab_occupancy
     AS 'MODULE_PATHNAME', 'ab_occupancy_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 400000;
 COMMENT ON FUNCTION ab_union(ab_occupancy, ab_occupancy) IS 'The same as ab_rollup';
 
+CREATE FUNCTION ab_occupancy(grid ab_grid) RETURNS ab_occupancy
+    AS 'MODULE_PATHNAME', 'ab_occupancy_empty' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
+COMMENT ON FUNCTION ab_occupancy(ab_grid) IS 'An occupancy of which nothing is known: what ab_occupancy_agg of no rows would be, were it not NULL';
+
+CREATE FUNCTION ab_clip(occupancy ab_occupancy, tile ab_box) RETURNS ab_occupancy
+    AS 'MODULE_PATHNAME', 'ab_occupancy_clip' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 200000;
+COMMENT ON FUNCTION ab_clip(ab_occupancy, ab_box) IS 'The voxels of an occupancy whose centres lie in a box';
+
 -- What is where.
 
 CREATE FUNCTION ab_state(occupancy ab_occupancy, x float8, y float8, z float8, threshold integer DEFAULT 3) RETURNS text
@@ -156,7 +164,11 @@ COMMENT ON FUNCTION ab_voxels(ab_change, text[]) IS 'Centres of the voxels of so
 
 CREATE FUNCTION ab_components(change ab_change, of_class text DEFAULT NULL, min_voxels integer DEFAULT 10, gap float8 DEFAULT NULL, OUT class text, OUT voxels bigint, OUT volume float8, OUT box ab_box, OUT centroid float8[]) RETURNS SETOF record
     AS 'MODULE_PATHNAME', 'ab_change_components' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 500000 ROWS 20;
-COMMENT ON FUNCTION ab_components(ab_change, text, integer, float8) IS 'What is new or has disappeared (or is of the class named) as connected things of at least min_voxels, largest first; voxels hang together when the gap between them is less than that (metres; NULL: two voxels)';
+COMMENT ON FUNCTION ab_components(ab_change, text, integer, float8) IS 'What is new or has disappeared (or is of the class named) as connected things of at least min_voxels, largest first; voxels hang together when the gap between them is less than that (metres; NULL: four voxels)';
+
+CREATE FUNCTION ab_clip(change ab_change, tile ab_box) RETURNS ab_change
+    AS 'MODULE_PATHNAME', 'ab_change_clip' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000;
+COMMENT ON FUNCTION ab_clip(ab_change, ab_box) IS 'The voxels of a change whose centres lie in a box: aggregate tiles a little larger than wanted, so that the tolerance sees across their borders, and clip their change';
 
 CREATE FUNCTION ab_rollup(c1 ab_change, c2 ab_change) RETURNS ab_change
     AS 'MODULE_PATHNAME', 'ab_change_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 200000;

@@ -1,3 +1,47 @@
+-- Boxes compared, so that rows can be joined and grouped by tile.
+
+CREATE FUNCTION ab_differ(a ab_box, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_box_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_differ(ab_box, ab_box) IS 'Not the same numbers';
+CREATE FUNCTION ab_hash(box ab_box) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_box_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_box) IS 'Hash of the numbers';
+CREATE FUNCTION ab_hash(box ab_box, seed bigint) RETURNS bigint
+    AS 'MODULE_PATHNAME', 'ab_box_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_hash(ab_box, bigint) IS 'Hash of the numbers with a seed';
+CREATE OPERATOR = (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel, JOIN = eqjoinsel, HASHES, MERGES);
+COMMENT ON OPERATOR = (ab_box, ab_box) IS 'Same numbers';
+CREATE OPERATOR <> (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_differ, COMMUTATOR = <>, NEGATOR = =, RESTRICT = neqsel, JOIN = neqjoinsel);
+COMMENT ON OPERATOR <> (ab_box, ab_box) IS 'Not the same numbers';
+CREATE OPERATOR CLASS ab_box_hash_ops DEFAULT FOR TYPE ab_box USING hash AS OPERATOR 1 =, FUNCTION 1 ab_hash(ab_box), FUNCTION 2 ab_hash(ab_box, bigint);
+COMMENT ON OPERATOR CLASS ab_box_hash_ops USING hash IS 'Joins and groups by equal numbers';
+CREATE FUNCTION ab_lt(a ab_box, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_box_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_lt(ab_box, ab_box) IS 'Before in the order of their corners';
+CREATE OPERATOR < (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_lt, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel, JOIN = scalarltjoinsel);
+COMMENT ON OPERATOR < (ab_box, ab_box) IS 'Before in the order of their corners';
+CREATE FUNCTION ab_le(a ab_box, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_box_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_le(ab_box, ab_box) IS 'Not after in the order of their corners';
+CREATE OPERATOR <= (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_le, COMMUTATOR = >=, NEGATOR = >, RESTRICT = scalarlesel, JOIN = scalarlejoinsel);
+COMMENT ON OPERATOR <= (ab_box, ab_box) IS 'Not after in the order of their corners';
+CREATE FUNCTION ab_ge(a ab_box, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_box_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_ge(ab_box, ab_box) IS 'Not before in the order of their corners';
+CREATE OPERATOR >= (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_ge, COMMUTATOR = <=, NEGATOR = <, RESTRICT = scalargesel, JOIN = scalargejoinsel);
+COMMENT ON OPERATOR >= (ab_box, ab_box) IS 'Not before in the order of their corners';
+CREATE FUNCTION ab_gt(a ab_box, b ab_box) RETURNS boolean
+    AS 'MODULE_PATHNAME', 'ab_box_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_gt(ab_box, ab_box) IS 'After in the order of their corners';
+CREATE OPERATOR > (LEFTARG = ab_box, RIGHTARG = ab_box, FUNCTION = ab_gt, COMMUTATOR = <, NEGATOR = <=, RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
+COMMENT ON OPERATOR > (ab_box, ab_box) IS 'After in the order of their corners';
+CREATE FUNCTION ab_compare(a ab_box, b ab_box) RETURNS integer
+    AS 'MODULE_PATHNAME', 'ab_box_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_compare(ab_box, ab_box) IS '-1, 0 or 1 in the order of their corners';
+CREATE OPERATOR CLASS ab_box_ops DEFAULT FOR TYPE ab_box USING btree AS
+    OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 ab_compare(ab_box, ab_box);
+COMMENT ON OPERATOR CLASS ab_box_ops USING btree IS 'Order by their corners';
+
 -- Occupancy and change joined by their boxes with everything that has one.
 
 CREATE FUNCTION ab_overlaps(a ab_occupancy, b ab_box) RETURNS boolean

@@ -3,10 +3,10 @@
 use asbuilt_core::voxel::{Change, Class, Settings, TileHeader};
 use asbuilt_core::{Error, Result};
 
-use super::box_bytes;
 use super::grid::grid_ret;
 use super::hex::{hex_in, hex_out};
 use super::occupancy::{cover, occupancy_arg, words};
+use super::{box_bytes, box_from};
 use crate::pg::{Args, Field, Ret, Rows, interrupt, sql_functions};
 use crate::settings::max_grid_memory;
 
@@ -35,6 +35,8 @@ sql_functions! {
     fn ab_change_send(args) { Ok(args.fetched(0)) }
 
     fn ab_change_grid(args) { grid_ret(&Change::header(args.prefix(0, TileHeader::LEN))?.grid) }
+
+    fn ab_change_clip(args) { ret(&arg(args, 0)?.clipped(&box_from(&args.fixed(1)), &interrupt)?) }
 
     /// ab_change(old, new, threshold, tolerance)
     fn ab_change_between(args) {
@@ -117,7 +119,7 @@ sql_functions! {
             return Err(Error::argument("the least number of voxels", "0 or more", args.i32(2)));
         };
         let change = arg(args, 0)?;
-        let gap = if args.is_null(3) { 2.0 * change.grid().voxel } else { args.f64(3) };
+        let gap = if args.is_null(3) { 4.0 * change.grid().voxel } else { args.f64(3) };
         let mut found = Vec::new();
         for class in classes {
             found.extend(change.components(class, least, gap, &interrupt)?);

@@ -4,9 +4,9 @@ use asbuilt_core::geometry::Solid;
 use asbuilt_core::voxel::{Grid, Mask, Occupancy, Rule, Settings, State, TileHeader};
 use asbuilt_core::{Error, Result};
 
-use super::box_bytes;
-use super::grid::grid_ret;
+use super::grid::{grid_arg, grid_ret};
 use super::hex::{hex_in, hex_out};
+use super::{box_bytes, box_from};
 use crate::pg::{Args, Field, Ret, Rows, interrupt, sql_functions};
 use crate::settings::max_grid_memory;
 
@@ -54,6 +54,13 @@ sql_functions! {
     fn ab_occupancy_recv(args) { occupancy_ret(&read(args.message(0))?) }
 
     fn ab_occupancy_send(args) { Ok(args.fetched(0)) }
+
+    /// ab_occupancy(grid)
+    fn ab_occupancy_empty(args) { occupancy_ret(&Occupancy::new(grid_arg(args, 0)?)) }
+
+    fn ab_occupancy_clip(args) {
+        occupancy_ret(&occupancy_arg(args, 0)?.clipped(&box_from(&args.fixed(1)), &interrupt)?)
+    }
 
     fn ab_occupancy_grid(args) { grid_ret(&Occupancy::header(args.prefix(0, TileHeader::LEN))?.grid) }
 

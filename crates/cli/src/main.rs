@@ -1,12 +1,14 @@
-//! `asbuilt`: load models and laser scans into PostgreSQL, verify, simulate.
+//! `asbuilt`: load models and laser scans into PostgreSQL, verify, compare epochs, simulate.
 //!
 //! * [`commands`]: what the user calls, one file each;
 //! * [`read`]: file formats;
 //! * [`stations`]: from points read to packed patches;
 //! * [`database`]: connection, tables, COPY;
+//! * [`change`]: two epochs compared in voxels;
 //! * [`simulate`]: scenes with known truth and a scanner in them;
 //! * [`output`]: tables, CSV, JSON, progress.
 
+mod change;
 mod commands;
 mod database;
 mod output;
@@ -33,7 +35,8 @@ The database is the one psql would reach: PGHOST, PGPORT, PGUSER, PGPASSWORD, PG
 Example:
   asbuilt load model.ifc
   asbuilt load station1.e57 station2.e57 --epoch 2
-  asbuilt verify --epoch 2 --loa LOA30"
+  asbuilt verify --epoch 2 --loa LOA30
+  asbuilt change --from 1 --to 2"
 )]
 struct Cli {
     #[command(subcommand)]
@@ -46,6 +49,8 @@ enum Command {
     Load(commands::load::LoadArgs),
     /// A verdict on every building object
     Verify(commands::verify::VerifyArgs),
+    /// What is new, what has gone, and in which object
+    Change(commands::change::ChangeArgs),
     /// Simulate a laser scan of a model, with what was built otherwise
     Simulate(commands::simulate::SimulateArgs),
     /// Mesh an IFC file and write the products to standard output (the loader's child process)
@@ -57,6 +62,7 @@ fn main() {
     let result = match Cli::parse().command {
         Command::Load(args) => commands::load::run(&args),
         Command::Verify(args) => commands::verify::run(&args),
+        Command::Change(args) => commands::change::run(&args),
         Command::Simulate(args) => commands::simulate::run(&args),
         Command::MeshIfc(args) => commands::mesh_ifc::run(&args),
     };

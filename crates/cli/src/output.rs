@@ -44,9 +44,14 @@ impl Table {
     }
 
     pub fn print(&self, format: Format) -> Result<()> {
+        self.print_of(format, "object", "objects")
+    }
+
+    /// The same for rows that are something else, named in singular and plural.
+    pub fn print_of(&self, format: Format, one: &str, many: &str) -> Result<()> {
         let mut out = std::io::stdout().lock();
         match format {
-            Format::Table => self.print_aligned(&mut out)?,
+            Format::Table => self.print_aligned(&mut out, if self.rows.len() == 1 { one } else { many })?,
             Format::Csv => {
                 writeln!(out, "{}", self.columns.join(","))?;
                 for row in &self.rows {
@@ -64,7 +69,7 @@ impl Table {
         Ok(())
     }
 
-    fn print_aligned(&self, out: &mut impl Write) -> Result<()> {
+    fn print_aligned(&self, out: &mut impl Write, what: &str) -> Result<()> {
         let cells: Vec<Vec<String>> = self.rows.iter().map(|r| r.iter().map(shown).collect()).collect();
         let width = |i: usize| {
             cells.iter().map(|r| r[i].chars().count()).max().unwrap_or(0).max(self.columns[i].chars().count())
@@ -80,7 +85,7 @@ impl Table {
             };
             writeln!(out, " {} ", (0..row.len()).map(pad).collect::<Vec<_>>().join(" | "))?;
         }
-        writeln!(out, "({} {})", cells.len(), if cells.len() == 1 { "object" } else { "objects" })?;
+        writeln!(out, "({} {what})", cells.len())?;
         Ok(())
     }
 }

@@ -139,6 +139,18 @@ impl Error {
             Self::Mismatch { .. } => {
                 "Roll up only evidence of the same solid, made with the same ab_evidence_model().".into()
             }
+            Self::Lattice { reason } if reason.contains("share voxels") => {
+                "Cut them first: ab_clip(change, tile).".into()
+            }
+            Self::Lattice { reason } if reason.contains("settings") => {
+                "Compare all tiles with the same threshold and tolerance.".into()
+            }
+            Self::Lattice { reason } if reason.contains("cuts voxels") => {
+                "Give the tile borders that are multiples of the larger voxel.".into()
+            }
+            Self::Lattice { reason } if reason.contains("drawn model") => {
+                "Models add up to models and epochs to epochs; ab_change(model, epoch) compares them.".into()
+            }
             Self::Lattice { .. } => {
                 "Aggregate both with the same ab_grid(); ab_downsample(occupancy) doubles the voxels of the finer one.".into()
             }

@@ -80,4 +80,13 @@ sql_functions! {
     fn ab_mass_compare(args) { Ok(Ret::I32(order::<3>(args) as i32)) }
     fn ab_mass_hash(args) { Ok(hash::<3>(args)) }
     fn ab_mass_hash_extended(args) { Ok(hash_extended::<3>(args)) }
+
+    fn ab_box_ne(args) { Ok(Ret::Bool(order::<6>(args).is_ne())) }
+    fn ab_box_lt(args) { Ok(Ret::Bool(order::<6>(args).is_lt())) }
+    fn ab_box_le(args) { Ok(Ret::Bool(order::<6>(args).is_le())) }
+    fn ab_box_ge(args) { Ok(Ret::Bool(order::<6>(args).is_ge())) }
+    fn ab_box_gt(args) { Ok(Ret::Bool(order::<6>(args).is_gt())) }
+    fn ab_box_compare(args) { Ok(Ret::I32(order::<6>(args) as i32)) }
+    fn ab_box_hash(args) { Ok(hash::<6>(args)) }
+    fn ab_box_hash_extended(args) { Ok(hash_extended::<6>(args)) }
 }

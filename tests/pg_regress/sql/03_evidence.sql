@@ -61,7 +61,7 @@ SELECT side, verdict, round(deviation::numeric, 3) AS deviation FROM (
 ORDER BY side DESC;
 
 -- nulls
-SELECT * FROM ab_summary(NULL);
+SELECT * FROM ab_summary(NULL::ab_evidence);
 SELECT count(*) FROM ab_samples(NULL);
 SELECT count(*) FROM ab_faces(NULL);
 SELECT ab_verdict(NULL) IS NULL AS verdict, ab_evidence_agg(NULL, plane(5), ab_evidence_model()) IS NULL AS no_solid;

@@ -11,6 +11,9 @@ INSERT INTO v_ab_scan SELECT id + 2000, ab_scan(ARRAY[[x, y, z], [x, y + 1, z]],
 INSERT INTO v_ab_box SELECT id + 3000, ab_box(v) FROM v_ab_scan WHERE id % 9 = 0;
 CREATE TABLE v_ab_point AS SELECT id, ab_point(x, y, z, 0.02 * w) AS v FROM seed;
 CREATE TABLE v_ab_line AS SELECT id, ab_line(ab_point(x, y, z, 0.01), ab_point(x + 1 + w, y, z, 0.02)) AS v FROM seed;
+CREATE TABLE v_ab_occupancy AS SELECT id, ab_occupancy_agg(v, ab_grid(0.5, exact => true)) AS v FROM v_ab_scan WHERE id % 3 > 0 AND id < 1900 GROUP BY id;
+INSERT INTO v_ab_occupancy SELECT id + 5000, ab_occupancy(ab_grid(0.5, v)) FROM v_ab_box WHERE id % 11 = 0;
+CREATE TABLE v_ab_change AS SELECT id, ab_change(ab_occupancy(ab_grid(v)), v, 1) AS v FROM v_ab_occupancy WHERE id % 4 < 3;
 CREATE TABLE answer (round text, by_index boolean, class text, op text, pairs bigint, digest bigint);
 CREATE PROCEDURE ask(round text) LANGUAGE plpgsql AS $$
 DECLARE o record; way boolean;
@@ -28,11 +31,11 @@ BEGIN
         END LOOP;
     END LOOP;
 END $$;
-DO $$ DECLARE t text; BEGIN FOREACH t IN ARRAY ARRAY['box', 'solid', 'scan', 'point', 'line'] LOOP EXECUTE format('CREATE INDEX ON v_ab_%s USING gist (v)', t); EXECUTE format('ANALYZE v_ab_%s', t); END LOOP; END $$;
+DO $$ DECLARE t text; BEGIN FOREACH t IN ARRAY ARRAY['box', 'solid', 'scan', 'point', 'line', 'occupancy', 'change'] LOOP EXECUTE format('CREATE INDEX ON v_ab_%s USING gist (v)', t); EXECUTE format('ANALYZE v_ab_%s', t); END LOOP; END $$;
 CALL ask('built');
-DO $$ DECLARE t text; BEGIN FOREACH t IN ARRAY ARRAY['box', 'solid', 'scan', 'point', 'line'] LOOP EXECUTE format('DELETE FROM v_ab_%s WHERE id %% 3 = 1', t); END LOOP; END $$;
-VACUUM v_ab_box, v_ab_solid, v_ab_scan, v_ab_point, v_ab_line;
-DO $$ DECLARE t text; BEGIN FOREACH t IN ARRAY ARRAY['box', 'solid', 'scan', 'point', 'line'] LOOP EXECUTE format('INSERT INTO v_ab_%s SELECT id + 9000, v FROM v_ab_%s WHERE id %% 4 < 2', t, t); END LOOP; END $$;
+DO $$ DECLARE t text; BEGIN FOREACH t IN ARRAY ARRAY['box', 'solid', 'scan', 'point', 'line', 'occupancy', 'change'] LOOP EXECUTE format('DELETE FROM v_ab_%s WHERE id %% 3 = 1', t); END LOOP; END $$;
+VACUUM v_ab_box, v_ab_solid, v_ab_scan, v_ab_point, v_ab_line, v_ab_occupancy, v_ab_change;
+DO $$ DECLARE t text; BEGIN FOREACH t IN ARRAY ARRAY['box', 'solid', 'scan', 'point', 'line', 'occupancy', 'change'] LOOP EXECUTE format('INSERT INTO v_ab_%s SELECT id + 9000, v FROM v_ab_%s WHERE id %% 4 < 2', t, t); END LOOP; END $$;
 CALL ask('changed');
 SELECT i.class, i.op, i.round, i.pairs = s.pairs AND i.digest = s.digest AS same, i.pairs > 20 AS some
 FROM answer i JOIN answer s USING (round, class, op) WHERE i.by_index AND NOT s.by_index ORDER BY 1, 2, 3;
@@ -41,4 +44,4 @@ SET enable_seqscan = off;
 EXPLAIN (COSTS OFF) SELECT count(*) FROM v_ab_box b JOIN v_ab_line a ON a.v && b.v;
 EXPLAIN (COSTS OFF) SELECT k.d FROM v_ab_point b, LATERAL (SELECT a.v <-> b.v AS d FROM v_ab_scan a ORDER BY a.v <-> b.v LIMIT 7) k;
 RESET enable_seqscan;
-DROP PROCEDURE ask; DROP TABLE seed, answer, v_ab_box, v_ab_solid, v_ab_scan, v_ab_point, v_ab_line;
+DROP PROCEDURE ask; DROP TABLE seed, answer, v_ab_box, v_ab_solid, v_ab_scan, v_ab_point, v_ab_line, v_ab_occupancy, v_ab_change;

@@ -1,5 +1,6 @@
 //! What the user calls, one file each.
 
+pub mod change;
 pub mod load;
 pub mod mesh_ifc;
 pub mod simulate;

@@ -1,6 +1,6 @@
 //! `asbuilt verify`: the query of the tour, printed.
 
-use anyhow::{Result, bail};
+use anyhow::Result;
 use asbuilt_core::evidence::Loa;
 use postgres::types::ToSql;
 use serde_json::Value;
@@ -63,16 +63,8 @@ ORDER  BY o.id";
 pub fn run(args: &VerifyArgs) -> Result<()> {
     let mut client = args.database.connect()?;
     tables::check_search_path(&mut client)?;
-    let there = "SELECT to_regclass('building_object') IS NOT NULL AND to_regclass('scan') IS NOT NULL";
-    if !client.query_one(there, &[]).map_err(explain)?.get::<_, bool>(0) {
-        bail!("this database has no tables building_object and scan; fill them: asbuilt load MODEL.ifc SCAN.e57");
-    }
-    let scans = "SELECT EXISTS (SELECT FROM scan WHERE epoch = $1), (SELECT string_agg(DISTINCT epoch::text, ', ') FROM station)";
-    let row = client.query_one(scans, &[&args.epoch]).map_err(explain)?;
-    if !row.get::<_, bool>(0) {
-        let known: Option<String> = row.get(1);
-        bail!("no scan of epoch {}; loaded are epochs: {}", args.epoch, known.unwrap_or_else(|| "none".into()));
-    }
+    tables::check_loaded(&mut client)?;
+    tables::check_epoch(&mut client, args.epoch)?;
     let loa = args.loa.map(Loa::name);
     let parameters: [&(dyn ToSql + Sync); 7] =
         [&args.epoch, &loa, &args.model, &args.spacing, &args.sigma_range, &args.sigma_station, &args.confidence];

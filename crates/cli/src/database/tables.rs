@@ -113,3 +113,23 @@ pub fn analyse(client: &mut Client) -> Result<()> {
     }
     Ok(())
 }
+
+/// Fails where nothing was ever loaded.
+pub fn check_loaded(client: &mut Client) -> Result<()> {
+    let there = "SELECT to_regclass('building_object') IS NOT NULL AND to_regclass('scan') IS NOT NULL";
+    if !client.query_one(there, &[]).map_err(explain)?.get::<_, bool>(0) {
+        bail!("this database has no tables building_object and scan; fill them: asbuilt load MODEL.ifc SCAN.e57");
+    }
+    Ok(())
+}
+
+/// Fails where an epoch has no scans.
+pub fn check_epoch(client: &mut Client, epoch: i32) -> Result<()> {
+    let scans = "SELECT EXISTS (SELECT FROM scan WHERE epoch = $1), (SELECT string_agg(DISTINCT epoch::text, ', ') FROM station)";
+    let row = client.query_one(scans, &[&epoch]).map_err(explain)?;
+    if !row.get::<_, bool>(0) {
+        let known: Option<String> = row.get(1);
+        bail!("no scan of epoch {epoch}; loaded are epochs: {}", known.unwrap_or_else(|| "none".into()));
+    }
+    Ok(())
+}

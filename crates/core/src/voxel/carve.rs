@@ -1,5 +1,6 @@
 //! Beams of patches become occupancy.
 
+use super::grid::Span;
 use super::march::march;
 use super::occupancy::Occupancy;
 use super::slab::{Base, Bundle, Frame, Ray};
@@ -31,7 +32,10 @@ impl Occupancy {
         if header.origins() != Origins::Unknown {
             let raster = (header.origins() == Origins::One && !self.grid.exact)
                 .then(|| (base.local(&self.grid, &header.origin), f64::from(header.step)));
-            self.carve(rays, base, raster, most_memory, interrupt)?;
+            let hull = [header.hull.min, header.hull.max].map(|corner| self.grid.index(&corner.into()));
+            let [low, high] = [hull[0].clone()?, hull[1].clone()?];
+            let span = self.span.common(&Span([0, 1, 2].map(|i| [low[i], high[i] + 1])));
+            self.carve(rays, base, &span, raster, most_memory, interrupt)?;
         }
         self.check_memory(most_memory)
     }
@@ -39,7 +43,9 @@ impl Occupancy {
     /// Counts the returns; the ways that say "empty".
     fn count_returns(&mut self, header: &Header, content: &Content, base: &Base) -> Result<Vec<Ray>> {
         let mut out = Vec::with_capacity(content.len());
-        for (i, beam) in content.beams.iter().enumerate() {
+        // A beam of no length saw nothing; a point whose origin nobody knows may be its patch's.
+        let saw = |beam: &Beam| header.origins() == Origins::Unknown || beam.offset != Vec3::zeros();
+        for (i, beam) in content.beams.iter().enumerate().filter(|(_, beam)| saw(beam)) {
             let end = self.grid.index(&(header.origin + content.end(i)))?;
             if beam.returned && self.span.holds(end) {
                 self.hit(end, 1);
@@ -75,11 +81,13 @@ impl Occupancy {
         (part > 0.0).then_some((way * part, part))
     }
 
-    /// Rays that lean towards one axis together, the others one by one. `raster`: their common origin and step.
+    /// Rays that lean towards one axis together, the others one by one. `span`: the voxels of the tile that lie in the hull
+    /// of the beams; `raster`: their common origin and step.
     fn carve(
         &mut self,
         rays: Vec<Ray>,
         base: Base,
+        span: &Span,
         raster: Option<(Vec3, f64)>,
         most_memory: usize,
         interrupt: Interrupt,
@@ -95,7 +103,7 @@ impl Occupancy {
             poll(interrupt)?;
             o.check_memory(most_memory)
         };
-        Bundle::new(&bundle, Frame::new(axis, sign), base, &self.span, raster).carve(self, &check)?;
+        Bundle::new(&bundle, Frame::new(axis, sign), base, span, raster).carve(self, &check)?;
         for ray in &strays {
             check(self)?;
             self.carve_alone(ray, &base);

@@ -1,13 +1,63 @@
-//! Occupancy made smoother or coarser.
+//! Occupancy and change cut to a tile; occupancy made smoother or coarser.
 
 use super::block::Block;
 use super::blocks::{Around, BlockMap, slots, steps_within, voxel_at};
+use super::change::Change;
+use super::class::Classes;
 use super::grid::Grid;
 use super::occupancy::Occupancy;
 use crate::error::{Error, Result};
+use crate::geometry::Aabb;
 use crate::{Interrupt, poll_now_and_then};
 
+impl Change {
+    /// The voxels whose centres lie in a box.
+    pub fn clipped(&self, tile: &Aabb, interrupt: Interrupt) -> Result<Self> {
+        let grid = clipped(&self.grid, tile)?;
+        let span = grid.span();
+        let mut out = Self { grid, blocks: BlockMap::default(), ..*self };
+        for (round, (key, classes)) in self.blocks.iter().enumerate() {
+            poll_now_and_then(round, interrupt)?;
+            let inside = span.of_block(*key);
+            let part = Classes(classes.0.map(|plane| std::array::from_fn(|word| plane[word] & inside[word])));
+            if part != Classes::default() {
+                out.blocks.insert(*key, part);
+            }
+        }
+        Ok(out)
+    }
+}
+
+/// A grid with the part of its tile that lies in a box.
+fn clipped(grid: &Grid, tile: &Aabb) -> Result<Grid> {
+    let own = &grid.tile;
+    let min = [0, 1, 2].map(|i| own.min[i].max(tile.min[i]));
+    let max = [0, 1, 2].map(|i| own.max[i].min(tile.max[i]).max(min[i]));
+    let part = Grid::new(grid.voxel, Aabb { min, max }, grid.margin, grid.no_return_range)?;
+    Ok(Grid { exact: grid.exact, ..part })
+}
+
 impl Occupancy {
+    /// The voxels whose centres lie in a box.
+    pub fn clipped(&self, tile: &Aabb, interrupt: Interrupt) -> Result<Self> {
+        let mut out = self.empty_on(clipped(&self.grid, tile)?);
+        for (round, (key, block)) in self.blocks.iter().enumerate() {
+            poll_now_and_then(round, interrupt)?;
+            let inside = out.span.of_block(*key);
+            let mut part = block.clone();
+            (0..8).for_each(|word| part.traversed[word] &= inside[word]);
+            if let Some(hits) = &mut part.hits {
+                let outside = |slot: usize| inside[slot / 64] >> (slot % 64) & 1 == 0;
+                (0..512).filter(|&slot| outside(slot)).for_each(|slot| hits[slot] = 0);
+            }
+            part.hits = part.hits.filter(|h| h.iter().any(|&n| n > 0));
+            if part != Block::default() {
+                out.insert(*key, part);
+            }
+        }
+        Ok(out)
+    }
+
     /// Without the returns of voxels that have fewer than `neighbours` occupied ones among the 26 around them: lone
     /// returns of rain, dust and mixed pixels. A voxel counts as occupied from `threshold` returns on.
     pub fn denoised(&self, neighbours: u32, threshold: u8, interrupt: Interrupt) -> Result<Self> {

@@ -115,7 +115,7 @@ impl Grid {
         let bad = || Error::syntax("ab_grid", text);
         let (words, tile) = text.split_once("tile=").unwrap_or((text, "all"));
         let tile = if tile.trim() == "all" { Self::EVERYWHERE } else { Aabb::from_text(tile)? };
-        let (mut voxel, mut margin, mut range, mut exact) = (None, Self::MARGIN_M, NO_RETURN_REACH_M, false);
+        let (mut voxel, mut margin, mut range, mut exact) = (None, Self::MARGIN_M, 0.0, false);
         for word in words.split_whitespace() {
             let (name, value) = word.split_once('=').ok_or_else(bad)?;
             let number = || value.parse::<f64>().map_err(|_| bad());
@@ -137,7 +137,7 @@ impl Grid {
             true => Ok(i.map(floor).into()),
             false => Err(Error::Limit {
                 what: "a coordinate in voxels",
-                value: format!("{:e}", point.amax() / self.voxel),
+                value: format!("{:e}", point.iter().find(|c| c.is_nan()).copied().unwrap_or(point.amax()) / self.voxel),
                 limit: format!("{:e} (voxels of {} m)", Self::MAX_INDEX, self.voxel),
             }),
         }

@@ -197,13 +197,9 @@ impl Bundle {
 
     /// Carves it; `check` is asked at every slab whether to go on.
     pub fn carve(&self, occupancy: &mut Occupancy, check: &dyn Fn(&Occupancy) -> Result<()>) -> Result<()> {
-        let ends = self.lines.iter().filter(|l| l.shown[0] < l.shown[1]);
-        let ends = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], l| [a.min(l.shown[0]), b.max(l.shown[1])]);
-        if ends[0] > ends[1] {
-            return Ok(());
-        }
+        let Some(ends) = self.ends() else { return Ok(()) };
         let mut map = BitMap::default();
-        for number in (ends[0].floor() as i64).div_euclid(DEPTH)..=(ends[1].floor() as i64).div_euclid(DEPTH) {
+        for number in floor(ends[0]).div_euclid(DEPTH)..=floor(ends[1]).div_euclid(DEPTH) {
             check(occupancy)?;
             let slab = [number * DEPTH, (number + 1) * DEPTH];
             if self.fit(&mut map, slab) {
@@ -217,6 +213,17 @@ impl Bundle {
             }
         }
         Ok(())
+    }
+
+    /// From where to where along the axis there is something to carve.
+    fn ends(&self) -> Option<[f64; 2]> {
+        let own = self.tile.0[self.frame.along].map(|i| self.frame.sign * i as f64);
+        let part = |l: &Line| match self.fan {
+            Some(_) => [l.from.max(own[0].min(own[1])), l.to.min(own[0].max(own[1]))],
+            None => l.shown,
+        };
+        let parts = self.lines.iter().map(part).filter(|[from, to]| from < to);
+        parts.reduce(|[a, b], [from, to]| [a.min(from), b.max(to)])
     }
 
     /// Makes room for what lines pass through in a slab; `false` where that would be too much.
