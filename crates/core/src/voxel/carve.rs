@@ -1,5 +1,7 @@
 //! Beams of patches become occupancy.
 
+use super::block::Block;
+use super::blocks::block_of;
 use super::grid::Span;
 use super::march::march;
 use super::occupancy::Occupancy;
@@ -42,19 +44,21 @@ impl Occupancy {
 
     /// Counts the returns; the ways that say "empty".
     fn count_returns(&mut self, header: &Header, content: &Content, base: &Base) -> Result<Vec<Ray>> {
-        let mut out = Vec::with_capacity(content.len());
+        let (mut out, mut hits) = (Vec::with_capacity(content.len()), Vec::with_capacity(content.len()));
         // A beam of no length saw nothing; a point whose origin nobody knows may be its patch's.
         let saw = |beam: &Beam| header.origins() == Origins::Unknown || beam.offset != Vec3::zeros();
         for (i, beam) in content.beams.iter().enumerate().filter(|(_, beam)| saw(beam)) {
             let end = self.grid.index(&(header.origin + content.end(i)))?;
             if beam.returned && self.span.holds(end) {
-                self.hit(end, 1);
+                hits.push((block_of(end), Block::slot(end)));
             }
             let start = base.local(&self.grid, &(header.origin + content.start(i)));
             let last = beam.returned.then(|| [0, 1, 2].map(|axis| end[axis] - base.0[axis]));
             let way = self.way(beam, &start, last);
             out.extend(way.map(|(way, part)| Ray { start, stop: start + way, part }));
         }
+        // Neighbours return from one block, mostly.
+        hits.chunk_by(|a, b| a.0 == b.0).for_each(|run| self.hit_block(run[0].0, run.iter().map(|h| h.1)));
         Ok(out)
     }
 

@@ -20,8 +20,9 @@ use crate::geometry::Vec3;
 const CELL: f64 = 1.5;
 /// Part of a cell that a ray at the border stands for: half a step.
 const HALF_A_STEP: f64 = 0.5 / CELL;
-/// Every ray is drawn so far from its origin, voxels along the axis: the voxels there are wider than all rays.
+/// So far from their origin, voxels along the axis, voxels are wider than all rays together, and one ray in sixteen is drawn.
 const NEAR: f64 = 2.0;
+const DRAWN_NEAR: usize = 16;
 /// Most cells a ray; beyond, the rays are no raster.
 const MOST_CELLS_A_RAY: usize = 4;
 
@@ -100,9 +101,10 @@ impl Fan {
         self.axes[1].cell(slope[1]) * self.axes[0].len() + self.axes[0].cell(slope[0])
     }
 
-    /// The parts of a ray of a cell that need drawing: up to the first, and from the second on.
-    pub fn drawn(&self, cell: usize) -> [f64; 2] {
-        [self.origin[0] + NEAR, self.drawn[cell]]
+    /// The parts of a ray, by its number and cell, that need drawing: up to the first, and from the second on.
+    pub fn drawn(&self, ray: usize, cell: usize) -> [f64; 2] {
+        let near = if ray.is_multiple_of(DRAWN_NEAR) { self.origin[0] + NEAR } else { f64::NEG_INFINITY };
+        [near, self.drawn[cell]]
     }
 
     /// The rows of voxels across the axis that its rays pass between two places along it, and one more on every side.
@@ -154,29 +156,29 @@ impl Fan {
             return;
         }
         let beyond = (layer + 1) as f64;
-        let (mut last, mut runs): (usize, Vec<[f64; 2]>) = (usize::MAX, Vec::new());
-        let seen = |k: usize, slope: f64| self.origin[1 + k] + depth * slope - 0.5;
-        let ends = self.axes[1].all(HALF_A_STEP);
-        let (first, end) = (rows[0].max(ceil(seen(1, ends[0]))), rows[1].min(ceil(seen(1, ends[1]))));
+        let seen = |k: usize, slope: f64| ceil(self.origin[1 + k] + depth * slope - 0.5);
+        let [first, end] = self.axes[1].all(HALF_A_STEP).map(|slope| seen(1, slope));
+        let (first, end) = (rows[0].max(first), rows[1].min(end));
+        let (mut number, mut runs): (Option<usize>, Vec<[i64; 2]>) = (None, Vec::new());
+        let inverse = 1.0 / depth;
         for row in first..end {
-            let number = self.axes[1].cell((row as f64 + 0.5 - self.origin[2]) / depth);
-            if number != last {
+            let slope = (row as f64 + 0.5 - self.origin[2]) * inverse;
+            let own = self.axes[1].cell_from(number.unwrap_or(0), slope);
+            // Rows in one row of cells are alike.
+            if number != Some(own) {
                 runs.clear();
-                self.runs(number, beyond, &mut runs);
-                last = number;
+                self.runs(own, beyond, |slopes| runs.push(slopes.map(|slope| seen(0, slope))));
+                number = Some(own);
             }
-            for slopes in &runs {
-                let [from, end] = slopes.map(|slope| ceil(seen(0, slope)));
-                set(row, from, end);
-            }
+            runs.iter().for_each(|[from, end]| set(row, *from, *end));
         }
     }
 
     /// The slopes of a row's cells that reach `beyond`.
-    fn runs(&self, row: usize, beyond: f64, out: &mut Vec<[f64; 2]>) {
+    fn runs(&self, row: usize, beyond: f64, mut run: impl FnMut([f64; 2])) {
         let slopes = |cells: [usize; 2]| self.axes[0].slopes(cells, HALF_A_STEP);
         if self.rows[row].least >= beyond {
-            out.push(slopes(self.rows[row].whole));
+            run(slopes(self.rows[row].whole));
             return;
         }
         let columns = self.axes[0].len();
@@ -186,7 +188,7 @@ impl Fan {
             match (from, c >= beyond) {
                 (None, true) => from = Some(i),
                 (Some(first), false) => {
-                    out.push(slopes([first, i]));
+                    run(slopes([first, i]));
                     from = None;
                 }
                 _ => {}

@@ -132,9 +132,9 @@ impl Grid {
 
     /// Number of the voxel that holds a point; an error beyond the lattice.
     pub fn index(&self, point: &Vec3) -> Result<[i64; 3]> {
-        let i = point.map(|c| c / self.voxel);
-        match i.iter().all(|c| c.abs() <= Self::MAX_INDEX) {
-            true => Ok(i.map(floor).into()),
+        let [x, y, z] = [0, 1, 2].map(|i| point[i] / self.voxel);
+        match x.abs().max(y.abs()).max(z.abs()) <= Self::MAX_INDEX && !(x + y + z).is_nan() {
+            true => Ok([floor(x), floor(y), floor(z)]),
             false => Err(Error::Limit {
                 what: "a coordinate in voxels",
                 value: format!("{:e}", point.iter().find(|c| c.is_nan()).copied().unwrap_or(point.amax()) / self.voxel),

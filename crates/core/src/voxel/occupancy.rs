@@ -125,6 +125,13 @@ impl Occupancy {
         block.hit(Block::slot(voxel), returns);
     }
 
+    /// Adds a return at each of some slots of a block.
+    pub(super) fn hit_block(&mut self, key: [i32; 3], slots: impl Iterator<Item = usize>) {
+        let block = self.blocks.entry(key).or_default();
+        self.counted += usize::from(block.hits.is_none());
+        slots.for_each(|slot| block.hit(slot, 1));
+    }
+
     pub(super) fn traverse(&mut self, voxel: [i64; 3]) {
         self.blocks.entry(block_of(voxel)).or_default().traverse(Block::slot(voxel));
     }

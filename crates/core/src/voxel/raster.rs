@@ -2,6 +2,8 @@
 
 /// Bins of the table that finds a cell, for every cell.
 const BINS_A_CELL: usize = 4;
+/// Cells tried one after the other before the table is asked.
+const NEARBY: usize = 3;
 
 /// One axis of the plane of slopes, cut into cells that are equally wide as angles.
 #[derive(Debug, Clone)]
@@ -48,6 +50,13 @@ impl Raster {
         cell
     }
 
+    /// The same for a slope that lies not before the cell `start`: quick where it lies near.
+    pub fn cell_from(&self, start: usize, slope: f64) -> usize {
+        let near =
+            (start..self.len()).take(NEARBY).find(|&cell| cell + 1 == self.len() || slope < self.edges[cell + 1]);
+        near.unwrap_or_else(|| self.cell(slope))
+    }
+
     /// The slopes of cells `from` up to `end`, widened by a part of the outermost ones.
     pub fn slopes(&self, [from, end]: [usize; 2], widened: f64) -> [f64; 2] {
         [self.edges[from] - widened * self.width(from), self.edges[end] + widened * self.width(end - 1)]
@@ -82,6 +91,7 @@ mod tests {
             let [from, to] = r.slopes([cell, cell + 1], 0.0);
             prop_assert!(from <= slope + 1e-12 && slope <= to + 1e-12, "{from} {slope} {to}");
             prop_assert!((to.atan() - from.atan() - angle).abs() < 1e-9);
+            prop_assert!((0..=cell).all(|start| r.cell_from(start, slope) == cell));
             prop_assert_eq!((r.cell(low - 1.0), r.cell(low + 9.0)), (0, r.len() - 1));
         }
     }

@@ -246,12 +246,12 @@ impl Bundle {
             }
             return;
         };
-        for (line, &cell) in self.lines.iter().zip(cells) {
-            let [near, from] = fan.drawn(cell);
+        for (ray, (line, &cell)) in self.lines.iter().zip(cells).enumerate() {
+            let [near, from] = fan.drawn(ray, cell);
             if near > slab[0] as f64 {
                 map.draw(line, [f64::NEG_INFINITY, near], slab);
             }
-            if from < slab[1] as f64 {
+            if from < slab[1] as f64 && line.to > slab[0] as f64 {
                 map.draw(line, [from.max(near), f64::INFINITY], slab);
             }
         }
@@ -409,17 +409,33 @@ impl BitMap {
         }
         let bytes = (self.size[0] / EDGE) as usize;
         let (column, plane) = ((v / EDGE) as usize, self.size[1] as usize * bytes);
-        let byte = |k: usize, j: usize| {
-            let layer = if frame.mirrored() { DEPTH as usize - 1 - (8 * part + k) } else { 8 * part + k };
-            self.filled[layer * plane + (w as usize + j) * bytes + column]
-        };
-        let upright = frame.along == 2;
-        let bits: Bits = std::array::from_fn(|a| {
-            u64::from_le_bytes(std::array::from_fn(|b| if upright { byte(a, b) } else { byte(b, a) }))
-        });
-        let any = bits.iter().fold(0, |any, word| any | word) != 0;
-        any.then(|| if frame.along == 0 { bits.map(transposed) } else { bits })
+        let mut layers: [[u8; 8]; 8] = [[0; 8]; 8];
+        let mut any = 0;
+        for (k, layer) in layers.iter_mut().enumerate() {
+            let number = if frame.mirrored() { DEPTH as usize - 1 - (8 * part + k) } else { 8 * part + k };
+            let start = number * plane + w as usize * bytes + column;
+            for (j, byte) in layer.iter_mut().enumerate() {
+                *byte = self.filled[start + j * bytes];
+                any |= *byte;
+            }
+        }
+        (any != 0).then(|| match frame.along {
+            0 => crossed(&layers).map(|layer| transposed(u64::from_le_bytes(layer))),
+            1 => crossed(&layers).map(u64::from_le_bytes),
+            _ => layers.map(u64::from_le_bytes),
+        })
     }
+}
+
+/// Rows to columns.
+fn crossed(layers: &[[u8; 8]; 8]) -> [[u8; 8]; 8] {
+    let mut out = [[0; 8]; 8];
+    for (k, layer) in layers.iter().enumerate() {
+        for (j, byte) in layer.iter().enumerate() {
+            out[j][k] = *byte;
+        }
+    }
+    out
 }
 
 /// Sets the bits from `from` on, up to `end`.
