@@ -89,25 +89,25 @@ impl Occupancy {
     /// of the beams; `raster`: their common origin and step.
     fn carve(
         &mut self,
-        rays: Vec<Ray>,
+        mut rays: Vec<Ray>,
         base: Base,
         span: &Span,
         raster: Option<(Vec3, f64)>,
         most_memory: usize,
         interrupt: Interrupt,
     ) -> Result<()> {
-        let sum: Vec3 = rays.iter().map(|r| (r.stop - r.start).normalize()).sum();
+        let sum: Vec3 = rays.iter().map(|r| r.stop - r.start).sum();
         let (axis, sign) = (sum.iamax(), sum[sum.iamax()].signum());
-        let along = |r: &Ray| {
+        let strays = rays.extract_if(.., |r| {
             let way = r.stop - r.start;
-            sign * way[axis] >= LEAST_COS * way.norm()
-        };
-        let (bundle, strays): (Vec<Ray>, Vec<Ray>) = rays.into_iter().partition(along);
+            way[axis] * sign <= 0.0 || way[axis].powi(2) < LEAST_COS.powi(2) * way.norm_squared()
+        });
+        let strays: Vec<Ray> = strays.collect();
         let check = |o: &Self| {
             poll(interrupt)?;
             o.check_memory(most_memory)
         };
-        Bundle::new(&bundle, Frame::new(axis, sign), base, span, raster).carve(self, &check)?;
+        Bundle::new(&rays, Frame::new(axis, sign), base, span, raster).carve(self, &check)?;
         for ray in &strays {
             check(self)?;
             self.carve_alone(ray, &base);

@@ -131,15 +131,22 @@ impl Grid {
     }
 
     /// Number of the voxel that holds a point; an error beyond the lattice.
+    #[inline]
     pub fn index(&self, point: &Vec3) -> Result<[i64; 3]> {
         let [x, y, z] = [0, 1, 2].map(|i| point[i] / self.voxel);
         match x.abs().max(y.abs()).max(z.abs()) <= Self::MAX_INDEX && !(x + y + z).is_nan() {
             true => Ok([floor(x), floor(y), floor(z)]),
-            false => Err(Error::Limit {
-                what: "a coordinate in voxels",
-                value: format!("{:e}", point.iter().find(|c| c.is_nan()).copied().unwrap_or(point.amax()) / self.voxel),
-                limit: format!("{:e} (voxels of {} m)", Self::MAX_INDEX, self.voxel),
-            }),
+            false => Err(self.beyond(point)),
+        }
+    }
+
+    #[cold]
+    fn beyond(&self, point: &Vec3) -> Error {
+        let worst = point.iter().find(|c| c.is_nan()).copied().unwrap_or(point.amax());
+        Error::Limit {
+            what: "a coordinate in voxels",
+            value: format!("{:e}", worst / self.voxel),
+            limit: format!("{:e} (voxels of {} m)", Self::MAX_INDEX, self.voxel),
         }
     }
 

@@ -16,12 +16,14 @@ const MOST_ROWS: i64 = 1 << 20;
 
 /// The greatest whole number that is not greater. `f64::floor` is a call into the C library where the processor's own
 /// instruction may not be taken for granted.
+#[inline]
 pub fn floor(x: f64) -> i64 {
     let cut = x as i64;
     cut - i64::from(x < cut as f64)
 }
 
 /// The least whole number that is not less.
+#[inline]
 pub fn ceil(x: f64) -> i64 {
     let cut = x as i64;
     cut + i64::from(x > cut as f64)
