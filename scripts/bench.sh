@@ -29,6 +29,25 @@ timed() {
   done | sort -n | sed -n 2p
 }
 ask() { psql -XAtq -v ON_ERROR_STOP=1 -c "$1"; }
+# How long after a timeout the query is over, psql's start and connection included: the worst of three.
+late() { # query, timeout in ms
+  for _ in 1 2 3; do
+    local start
+    start=$(now)
+    psql -Xq -c "SET statement_timeout = $2; $1" >/dev/null 2>&1 || true
+    echo "$(now) $start $2" | awk '{printf "%.0f\n", ($1 - $2) * 1000 - $3}'
+  done | sort -n | tail -1
+}
+# The same for the latest of timeouts spread over its run.
+worst() { # query: the latest of timeouts spread over its run
+  local start total
+  start=$(now)
+  psql -Xq -c "$1" >/dev/null
+  total=$(echo "$(now) $start" | awk '{printf "%d", ($1 - $2) * 1000}')
+  for k in $(seq 1 15); do
+    late "$1" $((total * k / 16 + 1))
+  done | sort -n | tail -1
+}
 row() { echo "| $1 | $2 |"; }
 
 [ -e $data/10m.e57 ] || "$asbuilt" simulate demo/pavilion.ifc --stations demo/stations.txt --built demo/changes.json --step-mrad 2.55 --out $data/10m.e57

@@ -23,14 +23,6 @@ if [ -e ../shared/data/hall/epoch1.e57 ]; then
 fi
 
 # Cancel: how long after the timeout the query is over.
-late() { # query, timeout in ms
-  for _ in 1 2 3; do
-    local start
-    start=$(now)
-    psql -Xq -c "SET statement_timeout = $2; $1" >/dev/null 2>&1 || true
-    echo "$(now) $start $2" | awk '{printf "%.0f\n", ($1 - $2) * 1000 - $3}'
-  done | sort -n | tail -1
-}
 row "statement_timeout 300 ms during evidence over 10 M beams: over after (worst of three, connection included)" "+$(late "$(evidence 10 0)" 300) ms"
 row "statement_timeout 100 ms while 4.4 M samples are spread on one solid" "+$(late "SELECT ab_count(ab_evidence_agg(ab_solid(ab_box(0, 0, 0, 20, 20, 2)), NULL, ab_evidence_model(spacing => 0.0152)))" 100) ms"
 ask "CREATE TABLE evidence AS SELECT ab_evidence_agg(o.solid, s.patch, ab_evidence_model()) AS e FROM building_object o JOIN scan s ON s.epoch = 10 AND s.patch && o.solid GROUP BY o.id"
@@ -45,15 +37,6 @@ ask "CREATE TABLE wide AS SELECT ab_evidence_agg(ab_solid(ab_box(0, 0, 0, 47, 47
   SELECT ab_scan(ARRAY[23.5 + st, 23.5, 20], (SELECT array_agg(ARRAY[i * 1.28 + a * 0.02, j * 1.28 + b * 0.02, 0.3]) FROM generate_series(0, 63) a, generate_series(0, 63) b), NULL, st) AS patch
   FROM generate_series(1, 2) st, generate_series(0, 36) i, generate_series(0, 36) j) p"
 ask "ALTER TABLE wide ALTER e SET STORAGE external"
-worst() { # query: the latest of timeouts spread over its run
-  local start total
-  start=$(now)
-  psql -Xq -c "$1" >/dev/null
-  total=$(echo "$(now) $start" | awk '{printf "%d", ($1 - $2) * 1000}')
-  for k in $(seq 1 15); do
-    late "$1" $((total * k / 16 + 1))
-  done | sort -n | tail -1
-}
 row "timeout during ab_evidence_agg on 2 M triangles, worst of 15 times" "+$(worst "SELECT ab_count(ab_evidence_agg(solid, NULL, NULL)) FROM huge") ms"
 row "timeout during ab_summary of 5 M samples, two stations, worst of 15 times" "+$(worst "SELECT s FROM wide, ab_summary(e) s") ms"
 row "timeout during the text form of the same ($(ask "SELECT pg_size_pretty(pg_column_size(e)::bigint) FROM wide")), worst of 15 times" "+$(worst "SELECT ab_evidence_out(e) IS NULL FROM wide") ms"

@@ -17,9 +17,8 @@ sql_functions! {
         let grid = Grid::new(args.f64(1), tile_arg(args, 3), 0.0, 0.0)?;
         let rule = Rule::parse(&args.text(2))?;
         let solid = Solid::from_stored(args.bytes(0), &interrupt)?;
-        let model = Mask::of(&solid, &grid, rule, max_grid_memory(), &interrupt)?.into_model(grid);
-        model.check_memory(max_grid_memory())?;
-        occupancy_ret(&model)
+        let mask = Mask::of(&solid, &grid, rule, max_grid_memory(), &interrupt)?;
+        occupancy_ret(&mask.into_model(grid, max_grid_memory(), &interrupt)?)
     }
 
     fn ab_voxel_accuracy(args) {

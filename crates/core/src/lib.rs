@@ -7,7 +7,8 @@
 //! * [`uncertain`]: points, lines, planes and poses with covariance, and tests on them;
 //! * [`evidence`]: belief masses, Dempster's rule, the published ray model, levels of accuracy;
 //! * [`scan`]: beams from one origin, packed in angular tiles ([`scan::Patch`]);
-//! * [`verify`]: what the beams say about a solid ([`verify::Evidence`]) and the verdict.
+//! * [`verify`]: what the beams say about a solid ([`verify::Evidence`]) and the verdict;
+//! * [`voxel`]: which places are occupied, empty or unknown ([`voxel::Occupancy`]), and what changed.
 //!
 //! Lengths are metres, angles radians. Whatever a caller can get wrong comes back as [`Error`]; a panic is a bug.
 

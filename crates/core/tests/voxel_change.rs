@@ -238,7 +238,7 @@ fn a_model_against_an_epoch() {
     let grid = Grid { exact: true, ..Grid::new(0.05, Grid::EVERYWHERE, 0.01, 1.0).unwrap() };
     let seen = epoch(grid, 3, 1.4);
     let solid = Solid::cuboid([1.38, -2.0, -1.0], [1.55, 0.3, 1.0]).unwrap();
-    let model = Mask::of(&solid, &grid, Rule::Centre, MOST, NEVER).unwrap().into_model(grid);
+    let model = Mask::of(&solid, &grid, Rule::Centre, MOST, NEVER).unwrap().into_model(grid, MOST, NEVER).unwrap();
     assert_eq!(model.state([0, 0, 0], 3), State::Empty);
     let settings = Settings { threshold: 3, tolerance: 0.03 };
     let change = Change::between(&model, &seen, settings, MOST, NEVER).unwrap();
@@ -252,7 +252,7 @@ fn a_model_against_an_epoch() {
     let air = Solid::cuboid([0.6, -0.3, -0.2], [0.9, 0.3, 0.2]).unwrap();
     let model = Mask::of(&air, &grid, Rule::Centre, MOST, NEVER).unwrap();
     let drawn = model.len();
-    let change = Change::between(&model.into_model(grid), &seen, settings, MOST, NEVER).unwrap();
+    let change = Change::between(&model.into_model(grid, MOST, NEVER).unwrap(), &seen, settings, MOST, NEVER).unwrap();
     let inside = Mask::of(&air, &grid, Rule::Cover, MOST, NEVER).unwrap();
     let tally = change.tally(Some(&inside), 0.0, NEVER).unwrap();
     assert!(tally.of(Class::Disappeared) as f64 > 0.95 * drawn as f64 && tally.of(Class::Confirmed) == 0, "{tally:?}");
@@ -283,7 +283,7 @@ proptest! {
         for _ in 0..n {
             let voxel: Voxel = std::array::from_fn(|_| rng.random_range(-12..12));
             let at = Solid::cuboid((grid.centre(voxel) - Vec3::repeat(0.01)).into(), (grid.centre(voxel) + Vec3::repeat(0.01)).into()).unwrap();
-            model.merge(&Mask::of(&at, &grid, Rule::Cover, MOST, NEVER).unwrap().into_model(grid), NEVER).unwrap();
+            model.merge(&Mask::of(&at, &grid, Rule::Cover, MOST, NEVER).unwrap().into_model(grid, MOST, NEVER).unwrap(), NEVER).unwrap();
             voxels.push(voxel);
         }
         voxels.sort();

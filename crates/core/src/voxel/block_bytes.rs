@@ -112,6 +112,17 @@ pub(super) fn seal(bytes: &mut [u8]) {
     bytes[4..8].copy_from_slice(&checksum);
 }
 
+/// Most bytes that PostgreSQL stores in a value.
+const MOST_STORED: usize = (1 << 30) - (1 << 10);
+
+/// Fails where a stored form grows too large.
+pub(super) fn check_stored(bytes: &[u8]) -> Result<()> {
+    if bytes.len() <= MOST_STORED {
+        return Ok(());
+    }
+    Err(Error::Limit { what: "the stored form of a voxel grid", value: "over 1 GB".into(), limit: "1 GB".into() })
+}
+
 /// What a block's first byte says of its number: it lies above the last along z.
 pub(super) const ABOVE_THE_LAST: u8 = 1;
 

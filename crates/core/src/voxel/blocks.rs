@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use rustc_hash::FxBuildHasher;
 
 use super::block::{Block, EDGE};
+use crate::num::sort::sort;
+use crate::{Interrupt, Result, poll_now_and_then};
 
 /// Something for every block that holds anything.
 pub type BlockMap<T> = HashMap<[i32; 3], T, FxBuildHasher>;
@@ -33,10 +35,15 @@ pub fn slots(bits: &Bits) -> impl Iterator<Item = usize> {
 }
 
 /// The blocks in the order of their numbers.
-pub fn in_order<T>(blocks: &BlockMap<T>) -> Vec<([i32; 3], &T)> {
-    let mut all: Vec<_> = blocks.iter().map(|(key, block)| (*key, block)).collect();
-    all.sort_unstable_by_key(|(key, _)| *key);
-    all
+pub fn in_order<'a, T>(blocks: &'a BlockMap<T>, interrupt: Interrupt) -> Result<Vec<([i32; 3], &'a T)>> {
+    let mut keys: Vec<[i32; 3]> = blocks.keys().copied().collect();
+    sort(&mut keys, interrupt)?;
+    let mut all = Vec::with_capacity(keys.len());
+    for (round, key) in keys.into_iter().enumerate() {
+        poll_now_and_then(round, interrupt)?;
+        all.push((key, &blocks[&key]));
+    }
+    Ok(all)
 }
 
 /// A block and its 26 neighbours: looks beyond its border without asking the map again.

@@ -106,7 +106,7 @@ impl Change {
 
     /// Calls `visit(voxel, class)` for every voxel that is occupied in one of the epochs, in the order of blocks.
     pub fn for_each(&self, interrupt: Interrupt, mut visit: impl FnMut([i64; 3], Class)) -> Result<()> {
-        for (round, (key, classes)) in in_order(&self.blocks).into_iter().enumerate() {
+        for (round, (key, classes)) in in_order(&self.blocks, interrupt)?.into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             for slot in slots(&classes.any()) {
                 if let Some(class) = classes.get(slot) {

@@ -1,6 +1,8 @@
 //! The stored form of change: SQL's `ab_change`.
 
-use super::block_bytes::{ABOVE_THE_LAST, Form, TileHeader, read_bits, read_key, seal, write_bits, write_key};
+use super::block_bytes::{
+    ABOVE_THE_LAST, Form, TileHeader, check_stored, read_bits, read_key, seal, write_bits, write_key,
+};
 use super::blocks::in_order;
 use super::change::{Change, Settings};
 use super::class::Classes;
@@ -22,7 +24,7 @@ impl Change {
     /// Little-endian: the header (its notes: 1 against a model, the threshold), the tolerance f64, then per block, in the
     /// order of their numbers, a byte of flags, its number as occupancy has it, and two or three planes of bits.
     pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
-        let sorted = in_order(&self.blocks);
+        let sorted = in_order(&self.blocks, interrupt)?;
         let keys: Vec<[i32; 3]> = sorted.iter().map(|(key, _)| *key).collect();
         let mut out = Vec::with_capacity(TileHeader::LEN + 24 * sorted.len());
         let notes = [u8::from(self.against_model), self.settings.threshold];
@@ -35,6 +37,7 @@ impl Change {
             write_key(key, last, if two { TWO_PLANES } else { 0 }, &mut out);
             let planes = if two { 2 } else { 3 };
             classes.0[..planes].iter().for_each(|bits| write_bits(bits, &mut out));
+            check_stored(&out)?;
             last = key;
         }
         seal(&mut out);

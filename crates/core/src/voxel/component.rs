@@ -35,7 +35,7 @@ impl Change {
             left.insert(*key, classes.of(class));
         }
         let mut out = Vec::new();
-        for (round, (key, classes)) in in_order(&self.blocks).into_iter().enumerate() {
+        for (round, (key, classes)) in in_order(&self.blocks, interrupt)?.into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             for slot in slots(&classes.of(class)) {
                 let seed = voxel_at(key, slot);

@@ -1,7 +1,7 @@
 //! A solid drawn in voxels: those inside, layer by layer of columns along x.
 
 use super::block::{Block, EDGE};
-use super::blocks::{Around, Bits, BlockMap, block_of, steps_within};
+use super::blocks::{Around, Bits, BlockMap, block_of};
 use super::grid::{Grid, Span};
 use super::occupancy::{Occupancy, check_memory};
 use super::surface::for_each_on_surface;
@@ -105,20 +105,27 @@ impl Mask {
         out
     }
 
-    /// The steps of [`Mask::near`].
-    pub(super) fn steps(gap: f64, voxel: f64) -> Vec<[i64; 3]> {
-        steps_within(gap / voxel)
+    /// First and last block on every axis, with their neighbours; the first behind the last for none.
+    pub(super) fn reach(&self) -> [[i32; 2]; 3] {
+        let none = [[i32::MAX, i32::MIN]; 3];
+        self.blocks.keys().fold(none, |reach, key| {
+            std::array::from_fn(|i| {
+                [reach[i][0].min(key[i].saturating_sub(1)), reach[i][1].max(key[i].saturating_add(1))]
+            })
+        })
     }
 
     /// As an occupancy of which everything is known.
-    pub fn into_model(self, grid: Grid) -> Occupancy {
+    pub fn into_model(self, grid: Grid, most_memory: usize, interrupt: Interrupt) -> Result<Occupancy> {
         let mut out = Occupancy::of_model(grid);
-        for (key, bits) in self.blocks {
+        for (round, (key, bits)) in self.blocks.into_iter().enumerate() {
+            poll_now_and_then(round, interrupt)?;
             let mut hits = Box::new([0u8; 512]);
             super::blocks::slots(&bits).for_each(|slot| hits[slot] = u8::MAX);
             out.insert(key, Block { traversed: [0; 8], hits: Some(hits) });
+            out.check_memory(most_memory)?;
         }
-        out
+        Ok(out)
     }
 
     fn insert(&mut self, voxel: [i64; 3]) {

@@ -52,8 +52,8 @@ impl Occupancy {
     }
 
     /// The blocks of which something is known, in the order of their numbers.
-    pub fn sorted(&self) -> Vec<([i32; 3], &Block)> {
-        in_order(&self.blocks)
+    pub fn sorted(&self, interrupt: Interrupt) -> Result<Vec<([i32; 3], &Block)>> {
+        in_order(&self.blocks, interrupt)
     }
 
     /// Calls `visit(voxel, state, returns)` for every voxel that is not unknown.
@@ -63,7 +63,7 @@ impl Occupancy {
         interrupt: Interrupt,
         mut visit: impl FnMut([i64; 3], State, u8),
     ) -> Result<()> {
-        for (round, (key, block)) in self.sorted().into_iter().enumerate() {
+        for (round, (key, block)) in self.sorted(interrupt)?.into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             for slot in slots(&block.known()) {
                 let state = block.state(slot, threshold);

@@ -1,7 +1,10 @@
 //! The stored form of occupancy: SQL's `ab_occupancy`.
 
 use super::block::Block;
-use super::block_bytes::{ABOVE_THE_LAST, Form, TileHeader, read_bits, read_key, seal, write_bits, write_key};
+use super::block_bytes::{
+    ABOVE_THE_LAST, Form, TileHeader, check_stored, read_bits, read_key, seal, write_bits, write_key,
+};
+use super::blocks::slots;
 use super::occupancy::Occupancy;
 use crate::error::Result;
 use crate::num::bytes::{Put, Reader};
@@ -12,7 +15,9 @@ const FORM: Form = Form { ty: "ab_occupancy", letter: b'O', version: Occupancy::
 /// Flags of a block, beside [`ABOVE_THE_LAST`].
 const HAS_HITS: u8 = 2;
 const ALL_TRAVERSED: u8 = 4;
-const FLAGS: u8 = ABOVE_THE_LAST | HAS_HITS | ALL_TRAVERSED;
+/// All counts but 0 are alike, as in models and where beams are rare: one count, and bits.
+const ALIKE: u8 = 8;
+const FLAGS: u8 = ABOVE_THE_LAST | HAS_HITS | ALL_TRAVERSED | ALIKE;
 
 impl Occupancy {
     /// Layout version written by this release.
@@ -22,9 +27,10 @@ impl Occupancy {
     ///
     /// Little-endian: the header (its first note is 1 for a model), then per block, in the order of their numbers, a byte
     /// of flags, its number (three varint differences, unless it lies above the last), its traversals (two bits a word,
-    /// then the words as written) unless all are set, and its counts: how many, then slot difference and count, varints.
+    /// then the words as written) unless all are set, and its counts: how many, then slot difference and count, varints;
+    /// or where all are alike that count and the bits of its voxels.
     pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
-        let sorted = self.sorted();
+        let sorted = self.sorted(interrupt)?;
         let keys: Vec<[i32; 3]> = sorted.iter().map(|(key, _)| *key).collect();
         let mut out = Vec::with_capacity(TileHeader::LEN + 8 * sorted.len());
         FORM.start([u8::from(self.model), 0], &self.grid, &keys, &mut out);
@@ -32,6 +38,7 @@ impl Occupancy {
         for (round, (key, block)) in sorted.into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             write_block(key, last, block, &mut out);
+            check_stored(&out)?;
             last = key;
         }
         seal(&mut out);
@@ -68,11 +75,16 @@ fn write_block(key: [i32; 3], last: [i32; 3], block: &Block, out: &mut Vec<u8>) 
     let all = block.traversed == [u64::MAX; 8];
     let hits = block.hits.as_deref().filter(|h| h.iter().any(|&n| n > 0));
     let flag = |set: bool, flag: u8| if set { flag } else { 0 };
-    write_key(key, last, flag(hits.is_some(), HAS_HITS) | flag(all, ALL_TRAVERSED), out);
+    let most = hits.map_or(0, |h| h.iter().copied().max().unwrap_or(0));
+    let alike = hits.is_some_and(|h| h.iter().all(|&n| n == 0 || n == most));
+    write_key(key, last, flag(hits.is_some(), HAS_HITS) | flag(all, ALL_TRAVERSED) | flag(alike, ALIKE), out);
     if !all {
         write_bits(&block.traversed, out);
     }
-    if let Some(hits) = hits {
+    if alike {
+        out.push(most);
+        write_bits(&block.occupied(1), out);
+    } else if let Some(hits) = hits {
         out.put_varint(hits.iter().filter(|&&n| n > 0).count() as u64);
         let mut before = 0;
         for (slot, &count) in hits.iter().enumerate().filter(|(_, n)| **n > 0) {
@@ -89,7 +101,14 @@ fn read_block(r: &mut Reader, flags: u8) -> Result<Block> {
     }
     let traversed = if flags & ALL_TRAVERSED != 0 { [u64::MAX; 8] } else { read_bits(r)? };
     let mut block = Block { traversed, hits: None };
-    if flags & HAS_HITS != 0 {
+    if flags & ALIKE != 0 {
+        let (count, bits) = (r.u8()?, read_bits(r)?);
+        if flags & HAS_HITS == 0 || count == 0 || bits == [0; 8] {
+            return Err(r.bad("counts that are alike, but none"));
+        }
+        let hits = block.hits.get_or_insert_with(|| Box::new([0; 512]));
+        slots(&bits).for_each(|slot| hits[slot] = count);
+    } else if flags & HAS_HITS != 0 {
         let mut slot = 0;
         for _ in 0..r.varint()? {
             slot += usize::try_from(r.varint()?).unwrap_or(usize::MAX).min(512);
@@ -139,7 +158,7 @@ mod tests {
             prop_assert_eq!(&back, &o);
             prop_assert_eq!(back.to_bytes(NEVER).unwrap(), bytes.clone());
             let header = Occupancy::header(&bytes).unwrap();
-            prop_assert_eq!(header.blocks as usize, o.sorted().len());
+            prop_assert_eq!(header.blocks as usize, o.sorted(NEVER).unwrap().len());
             let bounds = header.bounds();
             o.for_each(1, NEVER, |v, _, _| assert!(bounds.unwrap().holds(&o.grid().centre(v)))).unwrap();
         }

@@ -26,7 +26,7 @@ impl Occupancy {
         let layer = self.grid.index(&crate::geometry::Vec3::ith(axis, at))?[axis];
         let [u, v] = [[1, 2], [0, 2], [0, 1]][axis];
         let of_layer = |key: &[i32; 3]| i64::from(key[axis]) == layer.div_euclid(8);
-        let blocks: Vec<_> = in_order(&self.blocks).into_iter().filter(|(key, _)| of_layer(key)).collect();
+        let blocks: Vec<_> = in_order(&self.blocks, interrupt)?.into_iter().filter(|(key, _)| of_layer(key)).collect();
         let range = |k: usize| {
             let numbers = || blocks.iter().map(|(key, _)| i64::from(key[k]) * 8);
             numbers().min().zip(numbers().max()).map_or([0, 0], |(a, b)| [a, b + 8])

@@ -1,6 +1,6 @@
 //! How many voxels of each state or class, overall or inside an object.
 
-use super::blocks::{Bits, in_order};
+use super::blocks::{Bits, in_order, steps_within};
 use super::change::Change;
 use super::class::Class;
 use super::mask::Mask;
@@ -37,19 +37,37 @@ pub struct StateTally {
     pub empty: u64,
 }
 
-/// Part of space that is counted: a mask, and what lies within `gap` metres of it.
-fn part(mask: Option<(&Mask, &[[i64; 3]])>, key: [i32; 3], among: Bits) -> Bits {
-    mask.map_or(among, |(mask, steps)| mask.near(key, &among, steps))
+/// Part of space that is counted: everything, or a mask and what lies within some steps of it.
+struct Part<'a> {
+    mask: Option<&'a Mask>,
+    steps: Vec<[i64; 3]>,
+    /// Blocks of the mask and their neighbours.
+    reach: [[i32; 2]; 3],
+}
+
+impl<'a> Part<'a> {
+    fn new(mask: Option<&'a Mask>, gap: f64, voxel: f64) -> Self {
+        let reach = mask.map_or([[i32::MIN, i32::MAX]; 3], Mask::reach);
+        Self { mask, steps: steps_within(gap / voxel), reach }
+    }
+
+    fn of(&self, key: [i32; 3], among: Bits) -> Bits {
+        match self.mask {
+            _ if (0..3).any(|i| key[i] < self.reach[i][0] || key[i] > self.reach[i][1]) => [0; 8],
+            Some(mask) => mask.near(key, &among, &self.steps),
+            None => among,
+        }
+    }
 }
 
 impl Change {
     /// Counts the voxels of every class, overall, or those of a mask and within `gap` metres of it.
     pub fn tally(&self, mask: Option<&Mask>, gap: f64, interrupt: Interrupt) -> Result<ChangeTally> {
-        let steps = Mask::steps(gap, self.grid.voxel);
+        let part = Part::new(mask, gap, self.grid.voxel);
         let mut out = ChangeTally::default();
         for (round, (key, classes)) in self.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
-            let counted = part(mask.map(|m| (m, &steps[..])), *key, classes.any());
+            let counted = part.of(*key, classes.any());
             for class in Class::ALL {
                 let own = classes.of(class);
                 let n: u32 = (0..8).map(|word| (own[word] & counted[word]).count_ones()).sum();
@@ -63,10 +81,11 @@ impl Change {
 impl Occupancy {
     /// Counts the voxels of every state, overall or inside a mask.
     pub fn tally(&self, threshold: u8, mask: Option<&Mask>, interrupt: Interrupt) -> Result<StateTally> {
+        let part = Part::new(mask, 0.0, self.grid.voxel);
         let mut out = StateTally::default();
-        for (round, (key, block)) in in_order(&self.blocks).into_iter().enumerate() {
+        for (round, (key, block)) in in_order(&self.blocks, interrupt)?.into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
-            let counted = part(mask.map(|m| (m, &[][..])), key, self.span.of_block(key));
+            let counted = part.of(key, self.span.of_block(key));
             let occupied = block.occupied(threshold);
             for word in 0..8 {
                 let (hit, passed) = (occupied[word] & counted[word], block.traversed[word] & counted[word]);
