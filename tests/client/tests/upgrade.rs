@@ -23,7 +23,7 @@ CREATE VIEW near AS SELECT o.id, s.station_id FROM building_object o JOIN scan s
 ";
 
 /// Answers that an update must not change.
-const ANSWERS: &str = "SELECT md5(string_agg(t, ';')) FROM (
+const ANSWERS: &str = "SELECT md5(string_agg(t, ';' ORDER BY t)) FROM (
     (SELECT string_agg(id || verdict || samples, ',' ORDER BY id) AS t FROM verdict)
     UNION ALL (SELECT string_agg(id || '-' || station_id, ',' ORDER BY id, station_id) FROM near)
     UNION ALL (SELECT string_agg(patch::text, ',' ORDER BY station_id) FROM scan)

@@ -1,6 +1,7 @@
 //! At which angle rays of a fan meet the surface they hit, by what their neighbours hit.
 
 use super::fan::Fan;
+use super::raster::Raster;
 use super::slab::Line;
 
 /// Beyond 87° the tangent says nothing more.
@@ -27,8 +28,8 @@ pub struct Incidence {
 impl Incidence {
     /// From the returns of all rays, each in a cell.
     pub fn new(fan: &Fan, lines: &[Line], cells: &[usize]) -> Self {
-        let size = [0, 1].map(|k| fan.axes()[k].len());
-        let mut sums = vec![([0.0f64; 3], 0.0f64); size[0] * size[1]];
+        let [columns, rows] = fan.axes().each_ref().map(Raster::len);
+        let mut sums = vec![([0.0f64; 3], 0.0f64); columns * rows];
         for (line, &cell) in lines.iter().zip(cells) {
             let own = [1.0 / fan.depth(line.end).max(1e-3), line.slope[0], line.slope[1]];
             (0..3).for_each(|i| sums[cell].0[i] += own[i]);
@@ -36,27 +37,15 @@ impl Incidence {
         }
         let mean: Vec<[f64; 3]> = sums.iter().map(|(sum, n)| sum.map(|s| s / n.max(1.0))).collect();
         let inverse: Vec<Option<f64>> = sums.iter().zip(&mean).map(|(s, m)| (s.1 > 0.0).then_some(m[0])).collect();
-        let mut gradient = vec![[0.0; 2]; inverse.len()];
-        let mut spread = vec![0.0; inverse.len()];
-        let number = |cell: usize, axis: usize| if axis == 0 { cell % size[0] } else { cell / size[0] };
-        for axis in 0..2 {
-            let slope = |cell: usize, sides: [Option<usize>; 2]| {
-                let own = inverse[cell]?;
-                let [before, after] = sides.map(|side| side.and_then(|c| inverse[c]));
-                let number = number(cell, axis);
-                let pitch = |cell: usize| fan.axes()[axis].pitch(cell);
-                Some(minmod(before.map(|q| (own - q) / pitch(number - 1)), after.map(|q| (q - own) / pitch(number))))
-            };
-            let slopes: Vec<Option<f64>> = along(size, axis).map(|(cell, sides)| slope(cell, sides)).collect();
-            for (cell, sides) in along(size, axis) {
-                let [before, after] = sides.map(|side| side.and_then(|c| slopes[c]));
-                let own = slopes[cell];
-                // A cell with returns of two things looks steep; its neighbours do not.
-                gradient[cell][axis] = minmod(Some(minmod(before, own)), Some(minmod(own, after)));
-                let [low, high] = fan.axes()[axis].slopes([number(cell, axis), number(cell, axis) + 1], 0.0);
-                spread[cell] += SPREAD * gradient[cell][axis].abs() * (high - low);
-            }
-        }
+        let [a, b] = [0, 1].map(|axis| slopes(fan, &inverse, axis));
+        let gradient: Vec<[f64; 2]> = a.into_iter().zip(b).map(|(a, b)| [a, b]).collect();
+        let width = |axis: usize, number: usize| {
+            let [low, high] = fan.axes()[axis].slopes([number, number + 1], 0.0);
+            high - low
+        };
+        let across =
+            |cell: usize, g: &[f64; 2]| g[0].abs() * width(0, cell % columns) + g[1].abs() * width(1, cell / columns);
+        let spread = gradient.iter().enumerate().map(|(cell, g)| SPREAD * across(cell, g)).collect();
         Self { gradient, mean, spread, origin_depth: fan.depth(0.0) }
     }
 
@@ -73,6 +62,25 @@ impl Incidence {
         let square = (a * a + b * b + c * c) * line.length_squared() / (inverse * inverse) - 1.0;
         square.max(0.0).sqrt().min(MOST_TANGENT)
     }
+}
+
+/// How much inverse depths change with one of the slopes, in every cell.
+fn slopes(fan: &Fan, inverse: &[Option<f64>], axis: usize) -> Vec<f64> {
+    let size = fan.axes().each_ref().map(Raster::len);
+    let pitch = |number: usize| fan.axes()[axis].pitch(number);
+    let slope = |cell: usize, sides: [Option<usize>; 2]| {
+        let own = inverse[cell]?;
+        let [before, after] = sides.map(|side| side.and_then(|c| inverse[c]));
+        let number = if axis == 0 { cell % size[0] } else { cell / size[0] };
+        Some(minmod(before.map(|q| (own - q) / pitch(number - 1)), after.map(|q| (q - own) / pitch(number))))
+    };
+    let slopes: Vec<Option<f64>> = along(size, axis).map(|(cell, sides)| slope(cell, sides)).collect();
+    // A cell with returns of two things looks steep; its neighbours do not.
+    let least = |(cell, sides): (usize, [Option<usize>; 2])| {
+        let [before, after] = sides.map(|side| side.and_then(|c| slopes[c]));
+        minmod(Some(minmod(before, slopes[cell])), Some(minmod(slopes[cell], after)))
+    };
+    along(size, axis).map(least).collect()
 }
 
 /// Every cell with those before and after it on an axis.
