@@ -28,9 +28,9 @@ pub fn voxel_at(key: [i32; 3], slot: usize) -> [i64; 3] {
 /// The slots whose bits are set.
 pub fn slots(bits: &Bits) -> impl Iterator<Item = usize> {
     bits.iter().enumerate().flat_map(|(word, &bits)| {
-        std::iter::successors(Some(bits), |b| Some(b & (b - 1)))
-            .take_while(|&b| b != 0)
-            .map(move |b| 64 * word + b.trailing_zeros() as usize)
+        let rest = |b: &u64| Some(b & (b - 1)).filter(|&b| b != 0);
+        let left = std::iter::successors(Some(bits).filter(|&b| b != 0), rest);
+        left.map(move |b| 64 * word + b.trailing_zeros() as usize)
     })
 }
 

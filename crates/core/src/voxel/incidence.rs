@@ -37,7 +37,7 @@ impl Incidence {
         }
         let mean: Vec<[f64; 3]> = sums.iter().map(|(sum, n)| sum.map(|s| s / n.max(1.0))).collect();
         let inverse: Vec<Option<f64>> = sums.iter().zip(&mean).map(|(s, m)| (s.1 > 0.0).then_some(m[0])).collect();
-        let [a, b] = [0, 1].map(|axis| slopes(fan, &inverse, axis));
+        let [a, b] = [0, 1].map(|axis| slopes([columns, rows], &inverse, &mean, axis));
         let gradient: Vec<[f64; 2]> = a.into_iter().zip(b).map(|(a, b)| [a, b]).collect();
         let width = |axis: usize, number: usize| {
             let [low, high] = fan.axes()[axis].slopes([number, number + 1], 0.0);
@@ -65,14 +65,17 @@ impl Incidence {
 }
 
 /// How much inverse depths change with one of the slopes, in every cell.
-fn slopes(fan: &Fan, inverse: &[Option<f64>], axis: usize) -> Vec<f64> {
-    let size = fan.axes().each_ref().map(Raster::len);
-    let pitch = |number: usize| fan.axes()[axis].pitch(number);
+fn slopes(size: [usize; 2], inverse: &[Option<f64>], mean: &[[f64; 3]], axis: usize) -> Vec<f64> {
+    // Between the places that were seen, not the middles of cells: these hold one column of a raster or two.
     let slope = |cell: usize, sides: [Option<usize>; 2]| {
         let own = inverse[cell]?;
-        let [before, after] = sides.map(|side| side.and_then(|c| inverse[c]));
-        let number = if axis == 0 { cell % size[0] } else { cell / size[0] };
-        Some(minmod(before.map(|q| (own - q) / pitch(number - 1)), after.map(|q| (q - own) / pitch(number))))
+        let towards = |side: Option<usize>| {
+            let there = side?;
+            let apart = mean[there][1 + axis] - mean[cell][1 + axis];
+            Some((inverse[there]? - own) / apart).filter(|s| s.is_finite())
+        };
+        let [before, after] = sides.map(towards);
+        Some(minmod(before, after))
     };
     let slopes: Vec<Option<f64>> = along(size, axis).map(|(cell, sides)| slope(cell, sides)).collect();
     // A cell with returns of two things looks steep; its neighbours do not.

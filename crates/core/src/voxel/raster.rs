@@ -67,11 +67,6 @@ impl Raster {
         self.slopes([0, self.len()], widened)
     }
 
-    /// From the middle of a cell to that of the next.
-    pub fn pitch(&self, cell: usize) -> f64 {
-        0.5 * (self.edges[cell + 2] - self.edges[cell])
-    }
-
     fn width(&self, cell: usize) -> f64 {
         self.edges[cell + 1] - self.edges[cell]
     }
