@@ -106,9 +106,9 @@ CREATE FUNCTION ab_union(o1 ab_occupancy, o2 ab_occupancy) RETURNS ab_occupancy
     AS 'MODULE_PATHNAME', 'ab_occupancy_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 400000;
 COMMENT ON FUNCTION ab_union(ab_occupancy, ab_occupancy) IS 'The same as ab_rollup';
 
-CREATE FUNCTION ab_occupancy(grid ab_grid) RETURNS ab_occupancy
+CREATE FUNCTION ab_occupancy(grid ab_grid, model boolean DEFAULT false) RETURNS ab_occupancy
     AS 'MODULE_PATHNAME', 'ab_occupancy_empty' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
-COMMENT ON FUNCTION ab_occupancy(ab_grid) IS 'An occupancy of which nothing is known: what ab_occupancy_agg of no rows would be, were it not NULL';
+COMMENT ON FUNCTION ab_occupancy(ab_grid, boolean) IS 'An occupancy of which nothing is known: what ab_occupancy_agg of no rows would be, were it not NULL; or a model that fills nothing';
 
 CREATE FUNCTION ab_clip(occupancy ab_occupancy, tile ab_box) RETURNS ab_occupancy
     AS 'MODULE_PATHNAME', 'ab_occupancy_clip' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 200000;

@@ -81,10 +81,13 @@ sql_functions! {
 
     fn ab_occupancy_combine(args) {
         let mut left = state(args, 0)?;
-        if !args.is_null(1)
-            && let Some(right) = state(args, 1)?.get().occupancy.take()
-        {
-            left.get().merge(right)?;
+        if !args.is_null(1) {
+            let mut right = state(args, 1)?;
+            let taken = right.get().occupancy.take();
+            right.get().count()?;
+            if let Some(taken) = taken {
+                left.get().merge(taken)?;
+            }
         }
         Ok(left.ret())
     }

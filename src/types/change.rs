@@ -75,7 +75,7 @@ sql_functions! {
         if !(0.0..=8.0 * voxel).contains(&margin) {
             return Err(Error::argument("the margin", "from 0 to 8 voxels", format!("{margin} m")));
         }
-        let mask = if args.is_null(1) { None } else { Some(cover(args, 1, change.grid())?) };
+        let mask = if args.is_null(1) { None } else { Some(cover(args, 1, change.grid(), margin)?) };
         let tally = change.tally(mask.as_ref(), margin, &interrupt)?;
         let (total, volume) = (tally.total(), change.grid().voxel_volume());
         let voxels: Vec<u64> = tally.voxels.into_iter().chain([total]).collect();
@@ -122,7 +122,7 @@ sql_functions! {
         let gap = if args.is_null(3) { 4.0 * change.grid().voxel } else { args.f64(3) };
         let mut found = Vec::new();
         for class in classes {
-            found.extend(change.components(class, least, gap, &interrupt)?);
+            found.extend(change.components(class, least, gap, max_grid_memory(), &interrupt)?);
         }
         found.sort_by_key(|c| std::cmp::Reverse(c.voxels));
         for c in found {

@@ -78,6 +78,7 @@ sql_functions! {
         for (i, j) in along(x).flat_map(|i| along(y).map(move |j| (i, j))) {
             interrupt();
             for k in along(z) {
+                interrupt();
                 let low = [i, j, k].map(|n| n * size);
                 let high = [i, j, k].map(|n| (n + 1.0) * size);
                 rows.push(&[Field::Fixed(box_bytes(&Aabb::new(low, high)?))]);

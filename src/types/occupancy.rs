@@ -33,8 +33,11 @@ pub fn words(args: &Args, i: usize, what: &'static str) -> Result<Vec<String>> {
     Ok(words.into_iter().map(|w| String::from_utf8_lossy(w).into_owned()).collect())
 }
 
-/// The voxels that the solid in argument `i` touches; those of its surface where it is open.
-pub fn cover(args: &Args, i: usize, grid: &Grid) -> Result<Mask> {
+/// The voxels of a grid, and of `margin` metres around its tile, that the solid in argument `i` touches; those of its
+/// surface where it is open.
+pub fn cover(args: &Args, i: usize, grid: &Grid, margin: f64) -> Result<Mask> {
+    let tile = grid.tile.expanded(margin + grid.voxel);
+    let grid = &Grid { tile, ..*grid };
     let solid = Solid::from_stored(args.bytes(i), &interrupt)?;
     let rule = if solid.volume().is_ok() { Rule::Cover } else { Rule::Surface };
     Mask::of(&solid, grid, rule, max_grid_memory(), &interrupt)
@@ -55,8 +58,11 @@ sql_functions! {
 
     fn ab_occupancy_send(args) { Ok(args.fetched(0)) }
 
-    /// ab_occupancy(grid)
-    fn ab_occupancy_empty(args) { occupancy_ret(&Occupancy::new(grid_arg(args, 0)?)) }
+    /// ab_occupancy(grid, model)
+    fn ab_occupancy_empty(args) {
+        let grid = grid_arg(args, 0)?;
+        occupancy_ret(&if args.bool(1) { Occupancy::of_model(grid) } else { Occupancy::new(grid) })
+    }
 
     fn ab_occupancy_clip(args) {
         occupancy_ret(&occupancy_arg(args, 0)?.clipped(&box_from(&args.fixed(1)), &interrupt)?)
@@ -127,11 +133,12 @@ sql_functions! {
             return Ok(Ret::Null);
         }
         let (occupancy, threshold) = (occupancy_arg(args, 0)?, Settings::threshold(args.i32(1))?);
-        let mask = if args.is_null(2) { None } else { Some(cover(args, 2, occupancy.grid())?) };
+        let mask = if args.is_null(2) { None } else { Some(cover(args, 2, occupancy.grid(), 0.0)?) };
         let tally = occupancy.tally(threshold, mask.as_ref(), &interrupt)?;
         let known = tally.occupied + tally.ambiguous + tally.empty;
-        let all = mask.map_or_else(|| voxels_of_tile(occupancy.grid()), |m| Some(m.len()));
-        let rest = all.map(|n| n.saturating_sub(known));
+        let span = occupancy.grid().span();
+        let all = mask.map_or_else(|| voxels_of_tile(occupancy.grid()), |m| Some(m.len_within(&span)));
+        let rest = all.filter(|n| i64::try_from(*n).is_ok()).map(|n| n.saturating_sub(known));
         let of_model = occupancy.is_model();
         let empty = tally.empty + if of_model { rest.unwrap_or(0) } else { 0 };
         let unknown = if of_model { Some(0) } else { rest };

@@ -303,7 +303,7 @@ proptest! {
         of.iter().for_each(|c| *sizes.entry(*c).or_default() += 1);
         let mut expected: Vec<u64> = sizes.into_values().collect();
         expected.sort_by(|a, b| b.cmp(a));
-        let found = change.components(Class::New, 1, gap_voxels * 0.1, NEVER).unwrap();
+        let found = change.components(Class::New, 1, gap_voxels * 0.1, MOST, NEVER).unwrap();
         prop_assert_eq!(found.iter().map(|c| c.voxels).collect::<Vec<_>>(), expected);
         let mean = voxels.iter().map(|&v| grid.centre(v)).sum::<Vec3>() / voxels.len() as f64;
         let joint: Vec3 = found.iter().map(|c| c.centroid * c.voxels as f64).sum::<Vec3>() / voxels.len() as f64;

@@ -63,7 +63,13 @@ pub fn write(client: &mut Client, path: &Path) -> Result<u64> {
 
 fn write_all(client: &mut Client, kind: Kind, path: &Path, part: &Path, count: u64) -> Result<()> {
     let file = File::create(part).with_context(|| format!("cannot write {}", part.display()))?;
-    let mut sink = Sink::new(kind, path, BufWriter::with_capacity(1 << 20, file), count)?;
+    let corner =
+        "SELECT min((ab_min(ab_box(change)))[1]), min((ab_min(ab_box(change)))[2]), min((ab_min(ab_box(change)))[3])
+                  FROM asbuilt_change";
+    let row = client.query_one(corner, &[]).map_err(explain)?;
+    // LAS counts steps of 0.1 mm in 32 bits: from a round coordinate nearby.
+    let offset = [0, 1, 2].map(|i| row.get::<_, Option<f64>>(i).unwrap_or(0.0).floor());
+    let mut sink = Sink::new(kind, path, BufWriter::with_capacity(1 << 20, file), count, offset)?;
     let sql = "SELECT ab_change_send(change) FROM asbuilt_change";
     let mut rows = client.query_raw(sql, std::iter::empty::<i32>()).map_err(explain)?;
     while let Some(row) = rows.next().map_err(explain)? {
@@ -85,7 +91,7 @@ enum Sink {
 }
 
 impl Sink {
-    fn new(kind: Kind, path: &Path, mut out: BufWriter<File>, count: u64) -> Result<Self> {
+    fn new(kind: Kind, path: &Path, mut out: BufWriter<File>, count: u64, offset: [f64; 3]) -> Result<Self> {
         match kind {
             Kind::Ply => {
                 let (writer, header) = (ply_rs_bw::writer::Writer::new(), header(count));
@@ -97,8 +103,8 @@ impl Sink {
                 let mut builder = Builder::from((1, 4));
                 builder.point_format = las::point::Format::new(7)?;
                 builder.point_format.is_compressed = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("laz"));
-                let axis = Transform { scale: 1e-4, offset: 0.0 };
-                builder.transforms = Vector { x: axis, y: axis, z: axis };
+                let [x, y, z] = offset.map(|offset| Transform { scale: 1e-4, offset });
+                builder.transforms = Vector { x, y, z };
                 Ok(Self::Las(Writer::new(out, builder.into_header()?)?))
             }
         }

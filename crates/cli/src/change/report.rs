@@ -5,7 +5,7 @@ use postgres::{Client, Row};
 use serde_json::{Map, Value, json};
 
 use crate::database::connect::explain;
-use crate::output::{Format, Table, rounded};
+use crate::output::{Format, Table, rounded, say};
 
 /// The classes in the order of their columns.
 const CLASSES: [&str; 5] = ["confirmed", "new", "disappeared", "unknown", "ambiguous"];
@@ -35,11 +35,11 @@ struct Component {
 
 impl Report {
     /// Asks the comparison in `asbuilt_change`.
-    pub fn ask(client: &mut Client, min_voxels: i32, gap: Option<f64>) -> Result<Self> {
+    pub fn ask(client: &mut Client, tolerance: f64, min_voxels: i32, gap: Option<f64>) -> Result<Self> {
         let objects = format!(
             "SELECT {COLUMNS}, o.name, o.global_id
-             FROM building_object o LEFT JOIN asbuilt_change c ON c.change && o.solid
-             LEFT JOIN LATERAL ab_summary(c.change, o.solid) s ON true GROUP BY o.id ORDER BY o.id"
+             FROM building_object o LEFT JOIN asbuilt_change c ON c.change && ab_expand(ab_box(o.solid), $1)
+             LEFT JOIN LATERAL ab_summary(c.change, o.solid, $1) s ON true GROUP BY o.id ORDER BY o.id"
         );
         let components = "
             SELECT k.class, k.voxels, k.volume, ab_min(k.box), ab_max(k.box), k.centroid,
@@ -57,14 +57,18 @@ impl Report {
             centroid: row.get(5),
             objects: row.get(6),
         };
+        // Components want the whole as one value; where that is too large, the objects are known all the same.
+        let found = match client.query(components, &[&min_voxels, &gap]).map_err(explain) {
+            Ok(rows) => rows.iter().map(component).collect(),
+            Err(error) if min_voxels >= 0 && gap.is_none() => {
+                say!("asbuilt: no components: {error:#}");
+                Vec::new()
+            }
+            Err(error) => return Err(error),
+        };
         Ok(Self {
-            objects: client.query(&objects, &[]).map_err(explain)?,
-            components: client
-                .query(components, &[&min_voxels, &gap])
-                .map_err(explain)?
-                .iter()
-                .map(component)
-                .collect(),
+            objects: client.query(&objects, &[&tolerance]).map_err(explain)?,
+            components: found,
             total: client.query_one(&total, &[]).map_err(explain)?,
         })
     }

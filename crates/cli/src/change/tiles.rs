@@ -32,6 +32,13 @@ pub struct Comparison {
     pub tile: f64,
 }
 
+impl Comparison {
+    /// What the server takes where none is given.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance.unwrap_or(self.margin.min(8.0 * self.voxel))
+    }
+}
+
 /// Voxels by which tiles overlap while they are compared, so that the tolerance sees across their borders.
 const HALO: f64 = 9.0;
 
@@ -56,7 +63,7 @@ fn of_epoch(parameter: usize) -> String {
 const OF_MODEL: &str = "
 (SELECT coalesce(ab_rollup_agg(ab_voxelize(solid, $3,
             CASE WHEN ab_closedness(solid) = 'open surface' THEN 'surface' ELSE 'centre' END, $2::text::ab_box)),
-        ab_voxelize(ab_solid($2::text::ab_box), $3, 'centre', ab_box(0, 0, 0, 0, 0, 0)))
+        ab_occupancy(ab_grid($3, $2::text::ab_box, 0), true))
  FROM building_object WHERE solid && $2::text::ab_box AND $8::integer IS NOT NULL)";
 
 /// Compares, and leaves the result in the table `asbuilt_change (tile, change)`.

@@ -12,6 +12,8 @@ use crate::{Interrupt, Result, poll};
 
 /// Beams that lean at most so far from an axis of the lattice (cosine) are carved together along it.
 const LEAST_COS: f64 = 0.5;
+/// Voxels of a lone ray between two looks at interrupt and memory.
+const PIECE: f64 = 1024.0;
 /// A beam stops this far before the voxel of its return, in voxels, lest rounding lets it into it.
 const BEFORE: f64 = 1e-9;
 
@@ -109,20 +111,27 @@ impl Occupancy {
         };
         Bundle::new(&rays, Frame::new(axis, sign), base, span, raster).carve(self, &check)?;
         for ray in &strays {
-            check(self)?;
-            self.carve_alone(ray, &base);
+            self.carve_alone(ray, &base, &check)?;
         }
         Ok(())
     }
 
     /// One ray, voxel by voxel, as far as it lies in the tile.
-    pub(super) fn carve_alone(&mut self, ray: &Ray, base: &Base) {
-        let Some(ray) = ray.clipped(&base.span(&self.span)) else { return };
-        march(&ray.start, &ray.stop, |local| {
-            let voxel = base.world(local);
-            if self.span.holds(voxel) {
-                self.traverse(voxel);
-            }
-        });
+    pub(super) fn carve_alone(&mut self, ray: &Ray, base: &Base, check: &dyn Fn(&Self) -> Result<()>) -> Result<()> {
+        check(self)?;
+        let Some(ray) = ray.clipped(&base.span(&self.span)) else { return Ok(()) };
+        let way = ray.stop - ray.start;
+        let pieces = (way.amax() / PIECE).ceil().max(1.0);
+        for piece in 0..pieces as u64 {
+            check(self)?;
+            let [from, to] = [piece, piece + 1].map(|i| ray.start + way * (i as f64 / pieces));
+            march(&from, &to, |local| {
+                let voxel = base.world(local);
+                if self.span.holds(voxel) {
+                    self.traverse(voxel);
+                }
+            });
+        }
+        Ok(())
     }
 }

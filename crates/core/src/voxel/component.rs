@@ -4,9 +4,13 @@ use super::block::Block;
 use super::blocks::{Bits, BlockMap, block_of, in_order, slots, steps_within, voxel_at};
 use super::change::Change;
 use super::class::Class;
+use super::occupancy::check_memory;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::{Interrupt, poll_now_and_then};
+
+/// Bytes that a block takes in memory, about.
+const BLOCK_BYTES: usize = 96;
 
 /// Voxels of one class that hang together.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,7 +28,14 @@ pub struct Component {
 impl Change {
     /// The connected parts of a class with at least `least` voxels, largest first. Two voxels hang together when the gap
     /// between them is less than `gap` metres; 0 for those that touch, were it at a corner.
-    pub fn components(&self, class: Class, least: u64, gap: f64, interrupt: Interrupt) -> Result<Vec<Component>> {
+    pub fn components(
+        &self,
+        class: Class,
+        least: u64,
+        gap: f64,
+        most_memory: usize,
+        interrupt: Interrupt,
+    ) -> Result<Vec<Component>> {
         if !(0.0..=8.0 * self.grid.voxel).contains(&gap) {
             return Err(Error::argument("the gap", "from 0 to 8 voxels", format!("{gap} m")));
         }
@@ -40,7 +51,7 @@ impl Change {
             for slot in slots(&classes.of(class)) {
                 let seed = voxel_at(key, slot);
                 if take(&mut left, seed) {
-                    out.push(self.flood(class, seed, &mut left, &steps, interrupt)?);
+                    out.push(self.flood(class, seed, &mut left, &steps, most_memory, interrupt)?);
                 }
             }
         }
@@ -55,12 +66,14 @@ impl Change {
         seed: [i64; 3],
         left: &mut BlockMap<Bits>,
         steps: &[[i64; 3]],
+        most_memory: usize,
         interrupt: Interrupt,
     ) -> Result<Component> {
         let mut open = vec![seed];
         let (mut low, mut high, mut sum, mut n) = (seed, seed, Vec3::zeros(), 0u64);
         while let Some(voxel) = open.pop() {
             poll_now_and_then(n as usize, interrupt)?;
+            check_memory(open.len() * size_of::<[i64; 3]>() + left.len() * BLOCK_BYTES, most_memory)?;
             n += 1;
             sum += self.grid.centre(voxel) - self.grid.centre(seed);
             for axis in 0..3 {

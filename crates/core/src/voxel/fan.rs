@@ -23,6 +23,8 @@ const HALF_A_STEP: f64 = 0.5 / CELL;
 /// So far from their origin, voxels along the axis, voxels are wider than all rays together, and one ray in sixteen is drawn.
 const NEAR: f64 = 2.0;
 const DRAWN_NEAR: usize = 16;
+/// Most cells without rays amid others, as a part of those that have some.
+const MOST_HOLES: f64 = 0.05;
 /// Most cells a ray; beyond, the rays are no raster.
 const MOST_CELLS_A_RAY: usize = 4;
 
@@ -66,7 +68,20 @@ impl Fan {
             reach[cell] = reach[cell].min(line.to);
         }
         fan.survey(&reach);
-        Some((fan, cells))
+        (!fan.has_holes()).then_some((fan, cells))
+    }
+
+    /// Whether many cells amid others have no ray: where beams did not return, the others are drawn one by one.
+    fn has_holes(&self) -> bool {
+        let [columns, rows] = [0, 1].map(|k| self.axes[k].len());
+        let there = |i: usize, j: usize| self.clear[j * columns + i] > f64::NEG_INFINITY;
+        let hole = |i: usize, j: usize| {
+            !there(i, j)
+                && there(i - 1, j) as u8 + there(i + 1, j) as u8 + there(i, j - 1) as u8 + there(i, j + 1) as u8 >= 2
+        };
+        let inner = (1..rows.max(1) - 1).flat_map(|j| (1..columns.max(1) - 1).map(move |i| (i, j)));
+        let holes = inner.filter(|&(i, j)| hole(i, j)).count();
+        holes as f64 > MOST_HOLES * self.clear.iter().filter(|c| **c > f64::NEG_INFINITY).count() as f64
     }
 
     /// The cells, without what they know.

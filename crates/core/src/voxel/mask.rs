@@ -1,12 +1,15 @@
 //! A solid drawn in voxels: those inside, layer by layer of columns along x.
 
 use super::block::{Block, EDGE};
+use std::cmp::Ordering;
+
 use super::blocks::{Around, Bits, BlockMap, block_of};
 use super::grid::{Grid, Span};
 use super::occupancy::{Occupancy, check_memory};
 use super::surface::for_each_on_surface;
 use crate::error::{Error, Result};
 use crate::geometry::{Closedness, Solid, Vec3};
+use crate::num::sort::sort;
 use crate::{Interrupt, poll, poll_now_and_then};
 
 /// Bytes that a block takes in memory, about.
@@ -67,6 +70,7 @@ impl Mask {
                 let within = Span([0, 1, 2].map(|i| span.0[i].map(|v| v - low[i])));
                 for_each_on_surface(&local.corners(t), &within, interrupt, |v| {
                     out.insert([0, 1, 2].map(|i| v[i] + low[i]));
+                    out.check_memory(most_memory)
                 })?;
             }
         }
@@ -78,6 +82,15 @@ impl Mask {
     pub fn holds(&self, voxel: [i64; 3]) -> bool {
         let slot = Block::slot(voxel);
         self.blocks.get(&block_of(voxel)).is_some_and(|bits| bits[slot / 64] >> (slot % 64) & 1 == 1)
+    }
+
+    /// Number of its voxels in a box of voxels.
+    pub fn len_within(&self, span: &Span) -> u64 {
+        let inside = |(key, bits): (&[i32; 3], &Bits)| {
+            let span = span.of_block(*key);
+            (0..8).map(|word| u64::from((bits[word] & span[word]).count_ones())).sum::<u64>()
+        };
+        self.blocks.iter().map(inside).sum()
     }
 
     /// Number of voxels.
@@ -144,12 +157,12 @@ impl Mask {
         while z < end {
             let above = (z.div_euclid(EDGE) + 1) * EDGE;
             let layers = [z, above.min(end)];
-            let crossings = local.crossings(layers, span.0[1], 0.0, interrupt)?;
+            let crossings = local.crossings(layers, span.0[1], 0.0, most_memory, interrupt)?;
             for (round, column) in crossings.chunk_by(|a, b| a.column == b.column).enumerate() {
                 poll_now_and_then(round, interrupt)?;
                 match runs(column) {
-                    Some(runs) => self.set_runs(&runs, column[0].column, local, span),
-                    None => self.fill_seam(column[0].column, local, span, interrupt)?,
+                    Some(runs) => self.set_runs(&runs, column[0].column, local, span, most_memory, interrupt)?,
+                    None => self.fill_seam(column[0].column, local, span, most_memory, interrupt)?,
                 }
             }
             self.check_memory(most_memory)?;
@@ -159,33 +172,52 @@ impl Mask {
     }
 
     /// A column whose crossings do not add up: it passes through a seam of the mesh. A little aside it does not.
-    fn fill_seam(&mut self, column: [i64; 2], local: &Local, span: &Span, interrupt: Interrupt) -> Result<()> {
+    fn fill_seam(
+        &mut self,
+        column: [i64; 2],
+        local: &Local,
+        span: &Span,
+        most_memory: usize,
+        interrupt: Interrupt,
+    ) -> Result<()> {
         for attempt in 1..=ATTEMPTS {
             let aside = 1e-7 * f64::from(attempt * attempt);
             let [z, y] = column;
-            let crossings = local.crossings([z, z + 1], [y, y + 1], aside, interrupt)?;
+            let crossings = local.crossings([z, z + 1], [y, y + 1], aside, most_memory, interrupt)?;
             if let Some(runs) = runs(&crossings) {
-                self.set_runs(&runs, column, local, span);
-                break;
+                return self.set_runs(&runs, column, local, span, most_memory, interrupt);
             }
         }
-        Ok(())
+        let reason =
+            "its mesh has a gap that a column of voxels passes through; the rule 'surface' needs no inside".into();
+        Err(Error::Degenerate { what: "the inside of the solid", reason })
     }
 
     /// Sets the voxels of a column whose centres lie between two crossings, in voxels from `low`.
-    fn set_runs(&mut self, runs: &[[f64; 2]], [z, y]: [i64; 2], local: &Local, span: &Span) {
+    fn set_runs(
+        &mut self,
+        runs: &[[f64; 2]],
+        [z, y]: [i64; 2],
+        local: &Local,
+        span: &Span,
+        most_memory: usize,
+        interrupt: Interrupt,
+    ) -> Result<()> {
         for [from, to] in runs {
             let number = |x: f64| (x - 0.5).ceil().clamp(-1e10, 1e10) as i64 + local.low[0];
             let (first, end) = (number(*from).max(span.0[0][0]), number(*to).min(span.0[0][1]));
             let mut x = first;
             while x < end {
+                poll_now_and_then((x.div_euclid(EDGE) & 1023) as usize, interrupt)?;
                 let stop = ((x.div_euclid(EDGE) + 1) * EDGE).min(end);
                 let slot = Block::slot([x, y, z]);
                 let bits = (u64::MAX >> (64 - (stop - x))) << (slot % 64);
                 self.blocks.entry(block_of([x, y, z])).or_default()[slot / 64] |= bits;
                 x = stop;
             }
+            self.check_memory(most_memory)?;
         }
+        Ok(())
     }
 }
 
@@ -197,6 +229,34 @@ struct Crossing {
     x: f64,
     /// +1 into the solid, -1 out of it.
     winding: i32,
+}
+
+impl Crossing {
+    fn place(&self) -> ([i64; 2], f64, i32) {
+        (self.column, self.x, self.winding)
+    }
+}
+
+impl PartialEq for Crossing {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Crossing {}
+
+impl PartialOrd for Crossing {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Crossing {
+    /// By column, then along it.
+    fn cmp(&self, other: &Self) -> Ordering {
+        let ((a, x, v), (b, y, w)) = (self.place(), other.place());
+        a.cmp(&b).then(x.total_cmp(&y)).then(v.cmp(&w))
+    }
 }
 
 /// The parts of a column inside the mesh, by winding number; `None` where the crossings do not add up to 0.
@@ -234,7 +294,14 @@ impl<'a> Local<'a> {
     /// The crossings of columns `y` in layers `z`, sorted by column and then along it. Edges are half-open and each is
     /// evaluated alike for both its triangles, so that a closed mesh is crossed an even number of times; `aside` moves
     /// the columns off their centres.
-    fn crossings(&self, z: [i64; 2], y: [i64; 2], aside: f64, interrupt: Interrupt) -> Result<Vec<Crossing>> {
+    fn crossings(
+        &self,
+        z: [i64; 2],
+        y: [i64; 2],
+        aside: f64,
+        most_memory: usize,
+        interrupt: Interrupt,
+    ) -> Result<Vec<Crossing>> {
         let mut out = Vec::new();
         for t in 0..self.solid.triangles().len() {
             poll_now_and_then(t, interrupt)?;
@@ -244,11 +311,13 @@ impl<'a> Local<'a> {
             let last = ((high + 1.0).ceil().clamp(-1e10, 1e10) as i64 + self.low[2]).min(z[1] - 1);
             for layer in first..=last {
                 let at_z = (layer - self.low[2]) as f64 + 0.5 + 0.618 * aside;
-                poll_now_and_then(out.len(), interrupt)?;
                 self.cross_layer(&corners, layer, at_z, y, aside, &mut out);
+                poll(interrupt)?;
+                // Sorting takes as much again.
+                check_memory(2 * size_of::<Crossing>() * out.len(), most_memory)?;
             }
         }
-        out.sort_unstable_by(|a, b| a.column.cmp(&b.column).then(a.x.total_cmp(&b.x)));
+        sort(&mut out, interrupt)?;
         Ok(out)
     }
 

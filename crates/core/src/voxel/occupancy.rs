@@ -4,6 +4,7 @@ use super::block::{Block, State};
 use super::blocks::{Bits, BlockMap, block_of, in_order, slots, voxel_at};
 use super::grid::{Grid, Span};
 use crate::error::{Error, Result};
+use crate::geometry::Aabb;
 use crate::{Interrupt, poll_now_and_then};
 
 /// Bytes that a block takes in memory with its counts, about.
@@ -81,6 +82,10 @@ impl Occupancy {
         if self.model != other.model {
             return Err(Error::Lattice { reason: "one is a drawn model, the other what beams saw".into() });
         }
+        if self.model && !join(&self.grid.tile, &other.grid.tile) {
+            let (a, b) = (self.grid.tile.to_text(), other.grid.tile.to_text());
+            return Err(Error::Lattice { reason: format!("the tiles of a drawn model, {a} and {b}, leave a gap") });
+        }
         self.grid.tile = self.grid.tile.union(&other.grid.tile);
         self.span = self.grid.span();
         for (round, (key, theirs)) in other.blocks.iter().enumerate() {
@@ -145,6 +150,12 @@ impl Occupancy {
             block.traversed.iter_mut().zip(masked).for_each(|(a, b)| *a |= b);
         }
     }
+}
+
+/// Whether the box around two tiles holds nothing beside them.
+fn join(a: &Aabb, b: &Aabb) -> bool {
+    let alike = (0..3).filter(|&i| a.min[i] == b.min[i] && a.max[i] == b.max[i]).count();
+    a.contains(b) || b.contains(a) || alike >= 2 && a.overlaps(b)
 }
 
 /// Fails where a voxel grid of `bytes` is larger than `most`.

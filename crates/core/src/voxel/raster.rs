@@ -2,6 +2,8 @@
 
 /// Bins of the table that finds a cell, for every cell.
 const BINS_A_CELL: usize = 4;
+/// Least part of a cell that the last one is.
+const MOST_NARROW: f64 = 0.1;
 /// Cells tried one after the other before the table is asked.
 const NEARBY: usize = 3;
 
@@ -23,7 +25,9 @@ impl Raster {
         if cells > most {
             return None;
         }
-        let edges: Vec<f64> = (0..=cells).map(|i| (first + i as f64 * angle).tan()).collect();
+        let mut edges: Vec<f64> = (0..=cells).map(|i| (first + i as f64 * angle).tan()).collect();
+        // The last cell ends with the last ray.
+        edges[cells] = high.max(edges[cells - 1] + MOST_NARROW * (edges[cells] - edges[cells - 1]));
         let width = edges[cells] - edges[0];
         if width.is_nan() || width <= 0.0 {
             return None;
@@ -57,7 +61,7 @@ impl Raster {
         near.unwrap_or_else(|| self.cell(slope))
     }
 
-    /// The slopes of cells `from` up to `end`, widened by a part of the outermost ones.
+    /// The slopes of cells `from` up to `end`, widened by a part of a cell.
     pub fn slopes(&self, [from, end]: [usize; 2], widened: f64) -> [f64; 2] {
         [self.edges[from] - widened * self.width(from), self.edges[end] + widened * self.width(end - 1)]
     }
@@ -67,8 +71,10 @@ impl Raster {
         self.slopes([0, self.len()], widened)
     }
 
+    /// Width of a cell; of the last, which may be cut short, that of the one before it.
     fn width(&self, cell: usize) -> f64 {
-        self.edges[cell + 1] - self.edges[cell]
+        let whole = if cell + 1 == self.len() { cell.saturating_sub(1) } else { cell };
+        self.edges[whole + 1] - self.edges[whole]
     }
 }
 
@@ -85,7 +91,8 @@ mod tests {
             let cell = r.cell(slope);
             let [from, to] = r.slopes([cell, cell + 1], 0.0);
             prop_assert!(from <= slope + 1e-12 && slope <= to + 1e-12, "{from} {slope} {to}");
-            prop_assert!((to.atan() - from.atan() - angle).abs() < 1e-9);
+            prop_assert!(to.atan() - from.atan() < angle + 1e-9);
+            prop_assert!(cell + 1 == r.len() || (to.atan() - from.atan() - angle).abs() < 1e-9);
             prop_assert!((0..=cell).all(|start| r.cell_from(start, slope) == cell));
             prop_assert_eq!((r.cell(low - 1.0), r.cell(low + 9.0)), (0, r.len() - 1));
         }

@@ -209,8 +209,7 @@ impl Bundle {
                 map.merge(occupancy, &self.frame, slab[0], &self.base);
             } else {
                 for line in &self.lines {
-                    check(occupancy)?;
-                    self.carve_part(occupancy, line, slab);
+                    self.carve_part(occupancy, line, slab, check)?;
                 }
             }
         }
@@ -261,15 +260,24 @@ impl Bundle {
     }
 
     /// The part of a line inside a slab, voxel by voxel.
-    fn carve_part(&self, occupancy: &mut Occupancy, line: &Line, slab: [i64; 2]) {
-        if let Some([from, to]) = line.within(slab) {
-            let point = |along: f64| {
-                let mut p = Vec3::zeros();
-                p[self.frame.along] = self.frame.sign * along;
-                (0..2).for_each(|k| p[self.frame.across[k]] = line.across(k, along));
-                p
-            };
-            occupancy.carve_alone(&Ray { start: point(from), stop: point(to), part: 1.0 }, &self.base);
+    fn carve_part(
+        &self,
+        occupancy: &mut Occupancy,
+        line: &Line,
+        slab: [i64; 2],
+        check: &dyn Fn(&Occupancy) -> Result<()>,
+    ) -> Result<()> {
+        match line.within(slab) {
+            None => check(occupancy),
+            Some([from, to]) => {
+                let point = |along: f64| {
+                    let mut p = Vec3::zeros();
+                    p[self.frame.along] = self.frame.sign * along;
+                    (0..2).for_each(|k| p[self.frame.across[k]] = line.across(k, along));
+                    p
+                };
+                occupancy.carve_alone(&Ray { start: point(from), stop: point(to), part: 1.0 }, &self.base, check)
+            }
         }
     }
 }

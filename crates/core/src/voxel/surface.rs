@@ -14,7 +14,7 @@ pub(super) fn for_each_on_surface(
     corners: &[Vec3; 3],
     span: &Span,
     interrupt: Interrupt,
-    mut visit: impl FnMut([i64; 3]),
+    mut visit: impl FnMut([i64; 3]) -> Result<()>,
 ) -> Result<()> {
     let edges = [corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]];
     let normal = edges[0].cross(&edges[1]);
@@ -46,7 +46,7 @@ pub(super) fn for_each_on_surface(
                 let mut voxel = [0; 3];
                 (voxel[axis], voxel[u], voxel[v]) = (k, i, j);
                 if passes(corners, &edges, &normal, voxel) {
-                    visit(voxel);
+                    visit(voxel)?;
                 }
             }
         }

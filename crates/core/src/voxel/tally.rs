@@ -66,7 +66,7 @@ impl Change {
         let part = Part::new(mask, gap, self.grid.voxel);
         let mut out = ChangeTally::default();
         for (round, (key, classes)) in self.blocks.iter().enumerate() {
-            poll_now_and_then(round, interrupt)?;
+            poll_now_and_then(16 * part.steps.len() * round, interrupt)?;
             let counted = part.of(*key, classes.any());
             for class in Class::ALL {
                 let own = classes.of(class);
