@@ -57,7 +57,8 @@ fn simulated_pavilion() {
     }
     let (ply, laz) = (scratch("change.ply"), scratch("change.laz"));
     let report = change(&db, &["--from", "1", "--to", "2", "--voxel", "0.02", "--export", text(&ply)]);
-    assert!(share_of_seen(object(&report, "column C"), "disappeared") > 0.9, "{}", object(&report, "column C"));
+    // Its foot and head touch floor and roof, which stay.
+    assert!(share_of_seen(object(&report, "column C"), "disappeared") > 0.85, "{}", object(&report, "column C"));
     for same in ["floor", "roof", "wall south", "wall north", "wall west", "screen wall", "column A", "partition"] {
         let o = object(&report, same);
         assert!(share_of_seen(o, "new") + share_of_seen(o, "disappeared") < 0.02, "{o}");

@@ -34,11 +34,11 @@ struct Component {
 }
 
 impl Report {
-    /// Asks the comparison in `asbuilt_change`.
-    pub fn ask(client: &mut Client, tolerance: f64, min_voxels: i32, gap: Option<f64>) -> Result<Self> {
+    /// Asks the comparison in `asbuilt_change`. Voxels of an object may lie two voxels and the tolerance beside its box.
+    pub fn ask(client: &mut Client, voxel: f64, tolerance: f64, min_voxels: i32, gap: Option<f64>) -> Result<Self> {
         let objects = format!(
             "SELECT {COLUMNS}, o.name, o.global_id
-             FROM building_object o LEFT JOIN asbuilt_change c ON c.change && ab_expand(ab_box(o.solid), $1)
+             FROM building_object o LEFT JOIN asbuilt_change c ON c.change && ab_expand(ab_box(o.solid), $2)
              LEFT JOIN LATERAL ab_summary(c.change, o.solid, $1) s ON true GROUP BY o.id ORDER BY o.id"
         );
         let components = "
@@ -67,7 +67,7 @@ impl Report {
             Err(error) => return Err(error),
         };
         Ok(Self {
-            objects: client.query(&objects, &[&tolerance]).map_err(explain)?,
+            objects: client.query(&objects, &[&tolerance, &(tolerance + 2.0 * voxel)]).map_err(explain)?,
             components: found,
             total: client.query_one(&total, &[]).map_err(explain)?,
         })

@@ -93,7 +93,7 @@ pub fn run(args: &ChangeArgs) -> Result<()> {
     tables::check_search_path(&mut client)?;
     check_epochs(&mut client, args)?;
     compare(&mut client, &comparison)?;
-    let report = Report::ask(&mut client, comparison.tolerance(), args.min_voxels, args.gap)?;
+    let report = Report::ask(&mut client, comparison.voxel, comparison.tolerance(), args.min_voxels, args.gap)?;
     if let Some(path) = &args.export {
         let voxels = export::write(&mut client, path)?;
         say!("{}: {} voxels", path.display(), count(voxels));
