@@ -3,7 +3,7 @@
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::{Beam, Patch};
-use asbuilt_core::voxel::{Grid, Occupancy};
+use asbuilt_core::voxel::{Grid, Occupancy, march};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 /// 64 x 64 beams at a step of 2.5 mrad, about an azimuth.
@@ -33,5 +33,32 @@ fn carve(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, carve);
+/// Voxels that a beam passes, and how many of them a second are stepped through: one by one, and in slabs of bits.
+fn steps(c: &mut Criterion) {
+    let mut group = c.benchmark_group("voxel steps");
+    for (voxel, azimuth) in [(0.02, 0.1), (0.02, 0.7), (0.01, 0.7)] {
+        let (header, content) = Patch::content_of(&tile(azimuth)).unwrap();
+        let start = header.origin / voxel;
+        let ends: Vec<Vec3> = content.beams.iter().map(|b| start + b.offset / voxel).collect();
+        let mut passed = 0u64;
+        ends.iter().for_each(|end| march(&start, end, |_| passed += 1));
+        group.throughput(Throughput::Elements(passed));
+        group.bench_function(format!("one by one, {} mm, azimuth {azimuth}", voxel * 1e3), |b| {
+            b.iter(|| {
+                let mut sum = 0i64;
+                ends.iter().for_each(|end| march(&start, end, |v| sum ^= v[0] + v[1] + v[2]));
+                sum
+            });
+        });
+        let patch = tile(azimuth);
+        let grid = Grid { exact: true, ..Grid::new(voxel, Grid::EVERYWHERE, 0.0, 5.0).unwrap() };
+        group.bench_function(format!("carved exactly, {} mm, azimuth {azimuth}", voxel * 1e3), |b| {
+            let mut o = Occupancy::new(grid);
+            b.iter(|| o.absorb(&patch, 1 << 30, NEVER).unwrap());
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, carve, steps);
 criterion_main!(benches);
