@@ -24,7 +24,7 @@ const HALF_A_STEP: f64 = 0.5 / CELL;
 const NEAR: f64 = 2.0;
 const DRAWN_NEAR: usize = 16;
 /// Most cells without rays amid others, as a part of those that have some.
-const MOST_HOLES: f64 = 0.05;
+const MOST_HOLES: f64 = 0.25;
 /// Most cells a ray; beyond, the rays are no raster.
 const MOST_CELLS_A_RAY: usize = 4;
 
