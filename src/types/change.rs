@@ -6,6 +6,7 @@ use asbuilt_core::{Error, Result};
 use super::grid::grid_ret;
 use super::hex::{hex_in, hex_out};
 use super::occupancy::{cover, occupancy_arg, words};
+use super::rollup::rolled_up;
 use super::{box_bytes, box_from};
 use crate::pg::{Args, Field, Ret, Rows, interrupt, sql_functions};
 use crate::settings::max_grid_memory;
@@ -52,16 +53,12 @@ sql_functions! {
 
     /// ab_rollup(change, change)
     fn ab_change_rollup(args) {
-        match (args.is_null(0), args.is_null(1)) {
-            (true, true) => return Ok(Ret::Null),
-            (false, true) => return Ok(args.fetched(0)),
-            (true, false) => return Ok(args.fetched(1)),
-            _ => {}
-        }
-        let mut sum = arg(args, 0)?;
-        sum.merge(&arg(args, 1)?, &interrupt)?;
-        sum.check_memory(max_grid_memory())?;
-        ret(&sum)
+        rolled_up(args, || {
+            let mut sum = arg(args, 0)?;
+            sum.merge(&arg(args, 1)?, &interrupt)?;
+            sum.check_memory(max_grid_memory())?;
+            ret(&sum)
+        })
     }
 
     /// ab_summary(change, solid, margin)

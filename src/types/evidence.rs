@@ -5,6 +5,7 @@ use asbuilt_core::verify::{Evidence, EvidenceHeader};
 
 use super::box_bytes;
 use super::hex::{hex_in, hex_out};
+use super::rollup::rolled_up;
 use crate::pg::{Args, Ret, interrupt, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
@@ -34,16 +35,11 @@ sql_functions! {
 
     /// ab_rollup(e1, e2); a NULL adds nothing.
     fn ab_evidence_rollup(args) {
-        match (args.is_null(0), args.is_null(1)) {
-            (true, true) => Ok(Ret::Null),
-            (false, true) => Ok(args.fetched(0)),
-            (true, false) => Ok(args.fetched(1)),
-            (false, false) => {
-                let mut e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
-                e.merge(&Evidence::from_bytes(args.bytes(1), &interrupt)?, &interrupt)?;
-                Ok(Ret::Bytes(e.to_bytes(&interrupt)?))
-            }
-        }
+        rolled_up(args, || {
+            let mut e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
+            e.merge(&Evidence::from_bytes(args.bytes(1), &interrupt)?, &interrupt)?;
+            Ok(Ret::Bytes(e.to_bytes(&interrupt)?))
+        })
     }
 
     fn ab_evidence_box(args) {

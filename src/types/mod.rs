@@ -15,6 +15,7 @@ pub mod overlap;
 mod patch;
 pub mod planes;
 mod relation;
+mod rollup;
 mod samples;
 mod scan;
 mod sensor;

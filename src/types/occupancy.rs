@@ -6,6 +6,7 @@ use asbuilt_core::{Error, Result};
 
 use super::grid::{grid_arg, grid_ret};
 use super::hex::{hex_in, hex_out};
+use super::rollup::rolled_up;
 use super::{box_bytes, box_from};
 use crate::pg::{Args, Field, Ret, Rows, interrupt, sql_functions};
 use crate::settings::max_grid_memory;
@@ -78,16 +79,12 @@ sql_functions! {
 
     /// ab_rollup(occupancy, occupancy)
     fn ab_occupancy_rollup(args) {
-        match (args.is_null(0), args.is_null(1)) {
-            (true, true) => return Ok(Ret::Null),
-            (false, true) => return Ok(args.fetched(0)),
-            (true, false) => return Ok(args.fetched(1)),
-            _ => {}
-        }
-        let mut sum = occupancy_arg(args, 0)?;
-        sum.merge(&occupancy_arg(args, 1)?, &interrupt)?;
-        sum.check_memory(max_grid_memory())?;
-        occupancy_ret(&sum)
+        rolled_up(args, || {
+            let mut sum = occupancy_arg(args, 0)?;
+            sum.merge(&occupancy_arg(args, 1)?, &interrupt)?;
+            sum.check_memory(max_grid_memory())?;
+            occupancy_ret(&sum)
+        })
     }
 
     /// ab_state(occupancy, x, y, z, threshold)

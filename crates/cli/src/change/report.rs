@@ -1,6 +1,7 @@
 //! Objects, components and the whole, printed.
 
 use anyhow::Result;
+use postgres::error::SqlState;
 use postgres::{Client, Row};
 use serde_json::{Map, Value, json};
 
@@ -58,13 +59,13 @@ impl Report {
             objects: row.get(6),
         };
         // Components want the whole as one value; where that is too large, the objects are known all the same.
-        let found = match client.query(components, &[&min_voxels, &gap]).map_err(explain) {
+        let found = match client.query(components, &[&min_voxels, &gap]) {
             Ok(rows) => rows.iter().map(component).collect(),
-            Err(error) if min_voxels >= 0 && gap.is_none() => {
-                say!("asbuilt: no components: {error:#}");
+            Err(error) if error.code() == Some(&SqlState::PROGRAM_LIMIT_EXCEEDED) => {
+                say!("asbuilt: no components: {:#}", explain(error));
                 Vec::new()
             }
-            Err(error) => return Err(error),
+            Err(error) => return Err(explain(error)),
         };
         Ok(Self {
             objects: client.query(&objects, &[&tolerance, &(tolerance + 2.0 * voxel)]).map_err(explain)?,

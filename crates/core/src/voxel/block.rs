@@ -1,6 +1,6 @@
 //! Eight by eight by eight voxels.
 
-use super::blocks::Bits;
+use super::blocks::{Bits, has, put};
 use crate::error::{Error, Result};
 
 /// Voxels along an edge of a block.
@@ -68,7 +68,18 @@ impl Block {
 
     /// Notes that a beam passed through.
     pub fn traverse(&mut self, slot: usize) {
-        self.traversed[slot / 64] |= 1 << (slot % 64);
+        put(&mut self.traversed, slot);
+    }
+
+    /// Whether a beam passed through.
+    pub fn is_traversed(&self, slot: usize) -> bool {
+        has(&self.traversed, slot)
+    }
+
+    /// Without counts that are all 0; `None` where nothing is left.
+    pub fn tidied(mut self) -> Option<Self> {
+        self.hits = self.hits.filter(|h| h.iter().any(|&n| n > 0));
+        Some(self).filter(|b| *b != Self::default())
     }
 
     /// Returns in a voxel.
@@ -93,8 +104,7 @@ impl Block {
 
     /// State of a voxel: occupied from `threshold` returns on.
     pub fn state(&self, slot: usize, threshold: u8) -> State {
-        let traversed = self.traversed[slot / 64] >> (slot % 64) & 1 == 1;
-        match (self.count(slot) >= threshold.max(1), traversed) {
+        match (self.count(slot) >= threshold.max(1), self.is_traversed(slot)) {
             (true, false) => State::Occupied,
             (true, true) => State::Ambiguous,
             (false, true) => State::Empty,

@@ -7,6 +7,7 @@ use super::occupancy::Occupancy;
 use crate::error::{Error, Result};
 use crate::geometry::Aabb;
 use crate::num::bytes::{Put, Reader};
+use crate::{Interrupt, poll_now_and_then};
 
 /// A stored tile, by the type's name, its letter and the newest layout version.
 #[derive(Debug, Clone, Copy)]
@@ -136,7 +137,7 @@ pub(super) fn write_key(key: [i32; 3], last: [i32; 3], flags: u8, out: &mut Vec<
 }
 
 /// The flags and the number of the next block; `last` is `None` for the first.
-pub(super) fn read_key(r: &mut Reader, last: Option<[i32; 3]>, header: &TileHeader) -> Result<(u8, [i32; 3])> {
+fn read_key(r: &mut Reader, last: Option<[i32; 3]>, header: &TileHeader) -> Result<(u8, [i32; 3])> {
     let flags = r.u8()?;
     let mut key = last.unwrap_or_default().map(i64::from);
     if flags & ABOVE_THE_LAST != 0 {
@@ -157,6 +158,23 @@ pub(super) fn read_key(r: &mut Reader, last: Option<[i32; 3]>, header: &TileHead
         return Err(r.bad("a block outside the span that it announces"));
     }
     Ok((flags, key))
+}
+
+/// Calls `read` with the flags and number of every block, to read the rest of it; fails where bytes are left.
+pub(super) fn read_blocks(
+    mut r: Reader,
+    header: &TileHeader,
+    interrupt: Interrupt,
+    mut read: impl FnMut(&mut Reader, u8, [i32; 3]) -> Result<()>,
+) -> Result<()> {
+    let mut last = None;
+    for round in 0..header.blocks {
+        poll_now_and_then(round as usize, interrupt)?;
+        let (flags, key) = read_key(&mut r, last, header)?;
+        read(&mut r, flags, key)?;
+        last = Some(key);
+    }
+    r.finish()
 }
 
 /// A word of bits: nothing, everything, or as written.

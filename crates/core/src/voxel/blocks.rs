@@ -25,6 +25,16 @@ pub fn voxel_at(key: [i32; 3], slot: usize) -> [i64; 3] {
     [0, 1, 2].map(|i| i64::from(key[i]) * EDGE + within[i] as i64)
 }
 
+/// Whether the bit of a slot is set.
+pub fn has(bits: &Bits, slot: usize) -> bool {
+    bits[slot / 64] >> (slot % 64) & 1 == 1
+}
+
+/// Sets the bit of a slot.
+pub fn put(bits: &mut Bits, slot: usize) {
+    bits[slot / 64] |= 1 << (slot % 64);
+}
+
 /// The slots whose bits are set.
 pub fn slots(bits: &Bits) -> impl Iterator<Item = usize> {
     bits.iter().enumerate().flat_map(|(word, &bits)| {
@@ -64,6 +74,14 @@ impl<'a, T> Around<'a, T> {
         let there = [0, 1, 2].map(|i| within[i] as i64 + step[i]);
         let [x, y, z] = there.map(|i| (i.div_euclid(EDGE) + 1) as usize);
         (self.0[(z * 3 + y) * 3 + x], Block::slot(there))
+    }
+}
+
+impl Around<'_, Bits> {
+    /// Whether the bit of the voxel `step` away is set.
+    pub fn has(&self, slot: usize, step: [i64; 3]) -> bool {
+        let (bits, slot) = self.at(slot, step);
+        bits.is_some_and(|b| has(b, slot))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::blocks::{Around, Bits, BlockMap, in_order, slots, steps_within, voxel_at};
-use super::class::{Class, Classes, one_sided, passed};
+use super::class::{Class, Classes, one_sided};
 use super::grid::{Grid, Span};
 use super::occupancy::{Occupancy, check_memory};
 use crate::error::{Error, Result};
@@ -185,7 +185,7 @@ impl Judge<'_> {
         let around = (!self.steps.is_empty()).then(|| Around::new(&other.blocks, key));
         for slot in slots(alone) {
             let near = around.as_ref().map(|a| self.most_near(a, slot));
-            let seen_empty = other.model || passed(block, slot);
+            let seen_empty = other.model || block.is_some_and(|b| b.is_traversed(slot));
             out.set(slot, one_sided(side == 1, seen_empty, near, self.settings.threshold));
         }
     }

@@ -1,13 +1,13 @@
 //! The stored form of change: SQL's `ab_change`.
 
 use super::block_bytes::{
-    ABOVE_THE_LAST, Form, TileHeader, check_stored, read_bits, read_key, seal, write_bits, write_key,
+    ABOVE_THE_LAST, Form, TileHeader, check_stored, read_bits, read_blocks, seal, write_bits, write_key,
 };
 use super::blocks::in_order;
 use super::change::{Change, Settings};
 use super::class::Classes;
 use crate::error::Result;
-use crate::num::bytes::Put;
+use crate::num::bytes::{Put, Reader};
 use crate::{Interrupt, poll_now_and_then};
 
 const FORM: Form = Form { ty: "ab_change", letter: b'C', version: Change::VERSION };
@@ -58,28 +58,24 @@ impl Change {
         }
         let against_model = header.notes[0] == 1;
         let mut out = Self { grid: header.grid, settings, against_model, blocks: Default::default() };
-        let mut last = None;
-        for round in 0..header.blocks {
-            poll_now_and_then(round as usize, interrupt)?;
-            let (flags, key) = read_key(&mut r, last, &header)?;
-            if flags & !(ABOVE_THE_LAST | TWO_PLANES) != 0 {
-                return Err(r.bad(format!("flags {flags:#04x} of a block")));
-            }
-            let mut classes = Classes::default();
-            let planes = if flags & TWO_PLANES != 0 { 2 } else { 3 };
-            for plane in &mut classes.0[..planes] {
-                *plane = read_bits(&mut r)?;
-            }
-            if !classes.are_valid() {
-                return Err(r.bad("a class that does not exist"));
-            }
-            out.blocks.insert(key, classes);
-            out.check_memory(most_memory)?;
-            last = Some(key);
-        }
-        r.finish()?;
+        read_blocks(r, &header, interrupt, |r, flags, key| {
+            out.blocks.insert(key, read_classes(r, flags)?);
+            out.check_memory(most_memory)
+        })?;
         Ok(out)
     }
+}
+
+fn read_classes(r: &mut Reader, flags: u8) -> Result<Classes> {
+    if flags & !(ABOVE_THE_LAST | TWO_PLANES) != 0 {
+        return Err(r.bad(format!("flags {flags:#04x} of a block")));
+    }
+    let mut classes = Classes::default();
+    let planes = if flags & TWO_PLANES != 0 { 2 } else { 3 };
+    for plane in &mut classes.0[..planes] {
+        *plane = read_bits(r)?;
+    }
+    if classes.are_valid() { Ok(classes) } else { Err(r.bad("a class that does not exist")) }
 }
 
 #[cfg(test)]

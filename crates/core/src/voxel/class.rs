@@ -1,6 +1,5 @@
 //! What became of a voxel between two epochs, or between model and epoch.
 
-use super::block::Block;
 use super::blocks::Bits;
 use crate::error::{Error, Result};
 
@@ -91,11 +90,6 @@ pub(super) fn one_sided(in_new: bool, passed: bool, most_near: Option<u8>, thres
         (_, true) if in_new => Class::New,
         (_, true) => Class::Disappeared,
     }
-}
-
-/// Whether beams passed a voxel, by its block.
-pub(super) fn passed(block: Option<&Block>, slot: usize) -> bool {
-    block.is_some_and(|b| b.traversed[slot / 64] >> (slot % 64) & 1 == 1)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What is new or gone, as connected things.
 
 use super::block::Block;
-use super::blocks::{Bits, BlockMap, block_of, in_order, slots, steps_within, voxel_at};
+use super::blocks::{Bits, BlockMap, block_of, has, in_order, slots, steps_within, voxel_at};
 use super::change::Change;
 use super::class::Class;
 use super::occupancy::check_memory;
@@ -97,7 +97,7 @@ impl Change {
 fn take(left: &mut BlockMap<Bits>, voxel: [i64; 3]) -> bool {
     let slot = Block::slot(voxel);
     let Some(bits) = left.get_mut(&block_of(voxel)) else { return false };
-    let there = bits[slot / 64] >> (slot % 64) & 1 == 1;
+    let there = has(bits, slot);
     bits[slot / 64] &= !(1 << (slot % 64));
     there
 }

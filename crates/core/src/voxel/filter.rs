@@ -1,7 +1,6 @@
 //! Occupancy and change cut to a tile; occupancy made smoother or coarser.
 
-use super::block::Block;
-use super::blocks::{Around, BlockMap, slots, steps_within, voxel_at};
+use super::blocks::{Around, BlockMap, has, slots, steps_within, voxel_at};
 use super::change::Change;
 use super::class::Classes;
 use super::grid::Grid;
@@ -47,11 +46,9 @@ impl Occupancy {
             let mut part = block.clone();
             (0..8).for_each(|word| part.traversed[word] &= inside[word]);
             if let Some(hits) = &mut part.hits {
-                let outside = |slot: usize| inside[slot / 64] >> (slot % 64) & 1 == 0;
-                (0..512).filter(|&slot| outside(slot)).for_each(|slot| hits[slot] = 0);
+                (0..512).filter(|&slot| !has(&inside, slot)).for_each(|slot| hits[slot] = 0);
             }
-            part.hits = part.hits.filter(|h| h.iter().any(|&n| n > 0));
-            if part != Block::default() {
+            if let Some(part) = part.tidied() {
                 out.insert(*key, part);
             }
         }
@@ -70,17 +67,13 @@ impl Occupancy {
             let around = Around::new(&occupied, *key);
             if let Some(hits) = &mut block.hits {
                 for slot in slots(&self.blocks[key].occupied(1)) {
-                    let there = |&&step: &&[i64; 3]| {
-                        let (bits, slot) = around.at(slot, step);
-                        bits.is_some_and(|b| b[slot / 64] >> (slot % 64) & 1 == 1)
-                    };
-                    if (steps.iter().filter(there).count() as u32) < neighbours {
+                    let there = steps.iter().filter(|&&step| around.has(slot, step)).count();
+                    if (there as u32) < neighbours {
                         hits[slot] = 0;
                     }
                 }
             }
-            block.hits = block.hits.filter(|h| h.iter().any(|&n| n > 0));
-            if block != Block::default() {
+            if let Some(block) = block.tidied() {
                 out.insert(*key, block);
             }
         }
@@ -103,7 +96,7 @@ impl Occupancy {
             poll_now_and_then(16 * round, interrupt)?;
             for slot in slots(&block.known()) {
                 let voxel = voxel_at(*key, slot).map(|i| i.div_euclid(2));
-                if block.traversed[slot / 64] >> (slot % 64) & 1 == 1 {
+                if block.is_traversed(slot) {
                     out.traverse(voxel);
                 }
                 if block.count(slot) > 0 {

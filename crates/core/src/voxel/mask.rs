@@ -3,7 +3,7 @@
 use super::block::{Block, EDGE};
 use std::cmp::Ordering;
 
-use super::blocks::{Around, Bits, BlockMap, block_of};
+use super::blocks::{Around, Bits, BlockMap, block_of, has, put, slots};
 use super::grid::{Grid, Span};
 use super::occupancy::{Occupancy, check_memory};
 use super::surface::for_each_on_surface;
@@ -81,7 +81,7 @@ impl Mask {
     /// Whether a voxel belongs to it.
     pub fn holds(&self, voxel: [i64; 3]) -> bool {
         let slot = Block::slot(voxel);
-        self.blocks.get(&block_of(voxel)).is_some_and(|bits| bits[slot / 64] >> (slot % 64) & 1 == 1)
+        self.blocks.get(&block_of(voxel)).is_some_and(|bits| has(bits, slot))
     }
 
     /// Number of its voxels in a box of voxels.
@@ -108,12 +108,10 @@ impl Mask {
         let own = self.blocks.get(&key).copied().unwrap_or_default();
         let around = Around::new(&self.blocks, key);
         let mut out: Bits = std::array::from_fn(|word| own[word] & among[word]);
-        for slot in super::blocks::slots(&std::array::from_fn(|word| among[word] & !own[word])) {
-            let near = steps.iter().any(|&step| {
-                let (bits, slot) = around.at(slot, step);
-                bits.is_some_and(|b| b[slot / 64] >> (slot % 64) & 1 == 1)
-            });
-            out[slot / 64] |= u64::from(near) << (slot % 64);
+        for slot in slots(&std::array::from_fn(|word| among[word] & !own[word])) {
+            if steps.iter().any(|&step| around.has(slot, step)) {
+                put(&mut out, slot);
+            }
         }
         out
     }
@@ -134,7 +132,7 @@ impl Mask {
         for (round, (key, bits)) in self.blocks.into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             let mut hits = Box::new([0u8; 512]);
-            super::blocks::slots(&bits).for_each(|slot| hits[slot] = u8::MAX);
+            slots(&bits).for_each(|slot| hits[slot] = u8::MAX);
             out.insert(key, Block { traversed: [0; 8], hits: Some(hits) });
             out.check_memory(most_memory)?;
         }
@@ -143,7 +141,7 @@ impl Mask {
 
     fn insert(&mut self, voxel: [i64; 3]) {
         let slot = Block::slot(voxel);
-        self.blocks.entry(block_of(voxel)).or_default()[slot / 64] |= 1 << (slot % 64);
+        put(self.blocks.entry(block_of(voxel)).or_default(), slot);
     }
 
     fn check_memory(&self, most: usize) -> Result<()> {

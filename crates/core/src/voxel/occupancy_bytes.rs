@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::block_bytes::{
-    ABOVE_THE_LAST, Form, TileHeader, check_stored, read_bits, read_key, seal, write_bits, write_key,
+    ABOVE_THE_LAST, Form, TileHeader, check_stored, read_bits, read_blocks, seal, write_bits, write_key,
 };
 use super::blocks::slots;
 use super::occupancy::Occupancy;
@@ -52,21 +52,16 @@ impl Occupancy {
 
     /// Reads bytes, foreign ones too; no more than about `most_memory` bytes are allocated.
     pub fn from_bytes(bytes: &[u8], most_memory: usize, interrupt: Interrupt) -> Result<Self> {
-        let (mut r, header) = FORM.open_sealed(bytes)?;
+        let (r, header) = FORM.open_sealed(bytes)?;
         let mut out = match header.notes {
             [0, 0] => Self::new(header.grid),
             [1, 0] => Self::of_model(header.grid),
             other => return Err(r.bad(format!("notes {other:?}"))),
         };
-        let mut last = None;
-        for round in 0..header.blocks {
-            poll_now_and_then(round as usize, interrupt)?;
-            let (flags, key) = read_key(&mut r, last, &header)?;
-            out.insert(key, read_block(&mut r, flags)?);
-            out.check_memory(most_memory)?;
-            last = Some(key);
-        }
-        r.finish()?;
+        read_blocks(r, &header, interrupt, |r, flags, key| {
+            out.insert(key, read_block(r, flags)?);
+            out.check_memory(most_memory)
+        })?;
         Ok(out)
     }
 }

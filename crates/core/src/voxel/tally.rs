@@ -1,6 +1,6 @@
 //! How many voxels of each state or class, overall or inside an object.
 
-use super::blocks::{Bits, in_order, steps_within};
+use super::blocks::{Bits, steps_within};
 use super::change::Change;
 use super::class::Class;
 use super::mask::Mask;
@@ -83,9 +83,9 @@ impl Occupancy {
     pub fn tally(&self, threshold: u8, mask: Option<&Mask>, interrupt: Interrupt) -> Result<StateTally> {
         let part = Part::new(mask, 0.0, self.grid.voxel);
         let mut out = StateTally::default();
-        for (round, (key, block)) in in_order(&self.blocks, interrupt)?.into_iter().enumerate() {
+        for (round, (key, block)) in self.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
-            let counted = part.of(key, self.span.of_block(key));
+            let counted = part.of(*key, self.span.of_block(*key));
             let occupied = block.occupied(threshold);
             for word in 0..8 {
                 let (hit, passed) = (occupied[word] & counted[word], block.traversed[word] & counted[word]);

@@ -1,0 +1,15 @@
+//! What `ab_rollup` of two values does with NULL.
+
+use asbuilt_core::Result;
+
+use crate::pg::{Args, Ret};
+
+/// Arguments 0 and 1 added up by `sum`; NULL counts as nothing.
+pub fn rolled_up(args: &Args, sum: impl FnOnce() -> Result<Ret>) -> Result<Ret> {
+    match (args.is_null(0), args.is_null(1)) {
+        (true, true) => Ok(Ret::Null),
+        (false, true) => Ok(args.fetched(0)),
+        (true, false) => Ok(args.fetched(1)),
+        (false, false) => sum(),
+    }
+}
