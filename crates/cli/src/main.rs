@@ -5,7 +5,6 @@
 //! * [`stations`]: from points read to packed patches;
 //! * [`database`]: connection, tables, COPY;
 //! * [`change`]: two epochs compared in voxels;
-//! * [`simulate`]: scenes with known truth and a scanner in them;
 //! * [`output`]: tables, CSV, JSON, progress.
 
 mod change;
@@ -13,7 +12,6 @@ mod commands;
 mod database;
 mod output;
 mod read;
-mod simulate;
 mod stations;
 
 use clap::{Parser, Subcommand};

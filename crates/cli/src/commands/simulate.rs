@@ -6,13 +6,10 @@ use std::time::Duration;
 use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::num::text::numbers;
+use asbuilt_simulate::{Changes, Drawn, Scanner, Scene, write_e57};
 
 use crate::output::{count, progress, say, spinner};
-use crate::read::ifc;
-use crate::simulate::changes::Changes;
-use crate::simulate::scanner::Scanner;
-use crate::simulate::scene::Scene;
-use crate::simulate::write::write_e57;
+use crate::read::ifc::{self, Product};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -20,7 +17,8 @@ STATIONS is a text file with a scanner position a line: x y z, in metres; # star
 CHANGES is JSON and says what was built otherwise than drawn:
   {\"objects\": {\"W-mid\": {\"shift\": [0.012, 0, 0]},
                \"C2\":    {\"missing\": true},
-               \"W-east\": {\"tilt_deg\": 0.5, \"tilt_axis\": [0, 1, 0]}},
+               \"W-east\": {\"tilt_deg\": 0.5, \"tilt_axis\": [0, 1, 0]},
+               \"S-1\":    {\"bow\": [0, 0, -0.02]}},
    \"added\": [{\"name\": \"pallet\", \"min\": [9, 6.5, 0], \"max\": [10.2, 7.3, 0.4]},
              {\"name\": \"pipe\", \"foot\": [1, 1, 0], \"radius\": 0.1, \"height\": 3}]}
 
@@ -70,7 +68,8 @@ pub fn run(args: &SimulateArgs) -> Result<()> {
     let bar = spinner(&format!("meshing {}", args.model.display()));
     let model = ifc::read(&args.model, Duration::from_secs(300))?;
     bar.finish_and_clear();
-    let scene = Scene::new(&changes.build(&model.products)?);
+    let drawn = model.products.iter().map(drawn).collect::<Result<Vec<_>>>()?;
+    let scene = Scene::new(&changes.build(&drawn)?);
     let bar = progress("scanning", "stations");
     bar.set_length(stations.len() as u64);
     let mut scans = Vec::new();
@@ -89,6 +88,10 @@ pub fn run(args: &SimulateArgs) -> Result<()> {
         count(shots().filter(|s| !s.returned).count() as u64)
     );
     Ok(())
+}
+
+fn drawn(p: &Product) -> Result<Drawn<'_>> {
+    Ok(Drawn { name: &p.name, global_id: &p.global_id, solid: p.solid()? })
 }
 
 /// The output is E57 and none of the inputs.

@@ -7,7 +7,7 @@ use std::path::Path;
 use anyhow::{Context, Result};
 use e57::{E57Writer, Quaternion, Record, RecordDataType, RecordName, RecordValue, Transform, Translation};
 
-use super::scanner::SimulatedScan;
+use crate::scanner::SimulatedScan;
 
 /// Unit of the coordinates in the file, metres: far below the noise, a third of the bytes.
 const QUANTUM_M: f64 = 1e-5;

@@ -3,12 +3,13 @@
 use std::f64::consts::{PI, TAU};
 
 use asbuilt_core::geometry::Vec3;
+use nalgebra::Rotation3;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
 use rayon::prelude::*;
 
-use super::scene::Scene;
+use crate::scene::Scene;
 
 /// What the scanner does well and badly.
 #[derive(Debug, Clone, Copy)]
@@ -34,21 +35,36 @@ pub struct Scanner {
 /// A beam of the grid in the scanner's frame; without a return only its direction counts.
 #[derive(Debug, Clone, Copy)]
 pub struct Shot {
+    /// Row of the grid, from below.
     pub row: u32,
+    /// Column, counter-clockwise.
     pub column: u32,
+    /// Return, metres; without one a unit direction.
     pub point: Vec3,
+    /// Whether anything came back.
     pub returned: bool,
 }
 
 /// One simulated scan.
 #[derive(Debug)]
 pub struct SimulatedScan {
+    /// The beams, column by column.
     pub shots: Vec<Shot>,
+    /// Rows of the grid.
     pub rows: u32,
+    /// Columns of the grid.
     pub columns: u32,
     /// The pose that the file will tell: heading about z, and the registered position.
     pub heading: f64,
+    /// Where registration says that the scanner stood; off the truth by its error.
     pub registered: Vec3,
+}
+
+impl SimulatedScan {
+    /// Rotation from the scanner's frame to the world's.
+    pub fn world_from_scan(&self) -> Rotation3<f64> {
+        Rotation3::from_axis_angle(&Vec3::z_axis(), self.heading)
+    }
 }
 
 impl Scanner {
@@ -142,7 +158,7 @@ mod tests {
             .shots
             .iter()
             .map(|s| {
-                let world = nalgebra::Rotation3::from_axis_angle(&Vec3::z_axis(), scan.heading) * s.point.normalize();
+                let world = scan.world_from_scan() * s.point.normalize();
                 s.point.norm() - scene.first_hit(&station, &world).unwrap()
             })
             .collect();

@@ -8,7 +8,18 @@ use asbuilt_core::geometry::{Solid, Vec3};
 use nalgebra::{Rotation3, Unit};
 use serde::Deserialize;
 
-use crate::read::ifc::Product;
+use crate::bow::bowed;
+
+/// An object as drawn.
+#[derive(Debug)]
+pub struct Drawn<'a> {
+    /// Its name …
+    pub name: &'a str,
+    /// … and GlobalId: changes go by either.
+    pub global_id: &'a str,
+    /// Its body, if it has one.
+    pub solid: Option<Solid>,
+}
 
 /// The file given with `--built`.
 #[derive(Debug, Default, Deserialize)]
@@ -23,7 +34,7 @@ pub struct Changes {
 }
 
 /// How an object was built otherwise; several may hold together.
-#[derive(Debug, Default, Deserialize)]
+#[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Change {
     /// Moved by this, metres.
@@ -35,6 +46,9 @@ pub struct Change {
     /// … which is this direction.
     #[serde(default = "x_axis")]
     pub tilt_axis: [f64; 3],
+    /// Bent: its middle (along its longest extent) lies off by this, metres; its ends stay.
+    #[serde(default)]
+    pub bow: [f64; 3],
     /// Not built.
     #[serde(default)]
     pub missing: bool,
@@ -44,8 +58,14 @@ fn x_axis() -> [f64; 3] {
     [1.0, 0.0, 0.0]
 }
 
+impl Default for Change {
+    fn default() -> Self {
+        Self { shift: [0.0; 3], tilt_deg: 0.0, tilt_axis: x_axis(), bow: [0.0; 3], missing: false }
+    }
+}
+
 /// A cuboid between two corners, or an upright cylinder.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Clone, Deserialize)]
 #[serde(untagged, deny_unknown_fields)]
 pub enum Added {
     Cuboid {
@@ -64,46 +84,57 @@ pub enum Added {
 }
 
 impl Changes {
+    /// Reads the file given with `--built`.
     pub fn read(path: &Path) -> Result<Self> {
         let text = std::fs::read_to_string(path).with_context(|| format!("{}: cannot read it", path.display()))?;
         serde_json::from_str(&text).with_context(|| {
             format!(
-                "{}: expected {{\"objects\": {{\"NAME\": {{\"shift\": [x,y,z], \"tilt_deg\": d, \"missing\": true}}}}, \
-                \"added\": [{{\"name\": …, \"min\": [x,y,z], \"max\": [x,y,z]}}]}}",
+                "{}: expected {{\"objects\": {{\"NAME\": {{\"shift\": [x,y,z], \"tilt_deg\": d, \"bow\": [x,y,z], \"missing\": \
+                true}}}}, \"added\": [{{\"name\": …, \"min\": [x,y,z], \"max\": [x,y,z]}}]}}",
                 path.display()
             )
         })
     }
 
     /// Everything that stands in the scene, as meshes.
-    pub fn build(&self, products: &[Product]) -> Result<Vec<Solid>> {
+    pub fn build(&self, drawn: &[Drawn]) -> Result<Vec<Solid>> {
         for name in self.objects.keys() {
-            if !products.iter().any(|p| p.name == *name || p.global_id == *name) {
-                let known: Vec<&str> = products.iter().map(|p| p.name.as_str()).take(30).collect();
+            if !drawn.iter().any(|d| d.name == name || d.global_id == name) {
+                let known: Vec<&str> = drawn.iter().map(|d| d.name).take(30).collect();
                 bail!("no object is called \"{name}\"; the model has {}", known.join(", "));
             }
         }
         let mut out = Vec::new();
-        for p in products {
-            let Some(solid) = p.solid()? else { continue };
-            match self.objects.get(&p.name).or_else(|| self.objects.get(&p.global_id)) {
-                None => out.push(solid),
-                Some(change) if change.missing => {}
-                Some(change) => out.push(change.apply(&solid)?),
-            }
+        for d in drawn {
+            let Some(solid) = &d.solid else { continue };
+            out.extend(match self.objects.get(d.name).or_else(|| self.objects.get(d.global_id)) {
+                None => Some(solid.clone()),
+                Some(change) => change.apply(solid)?,
+            });
         }
         for added in &self.added {
-            out.push(match added {
-                Added::Cuboid { min, max, .. } => Solid::cuboid(*min, *max)?,
-                Added::Cylinder { foot, radius, height, .. } => Solid::cylinder(*foot, *radius, *height, 64)?,
-            });
+            out.push(added.solid()?);
         }
         Ok(out)
     }
 }
 
+impl Added {
+    /// Its mesh.
+    pub fn solid(&self) -> Result<Solid> {
+        Ok(match self {
+            Self::Cuboid { min, max, .. } => Solid::cuboid(*min, *max)?,
+            Self::Cylinder { foot, radius, height, .. } => Solid::cylinder(*foot, *radius, *height, 64)?,
+        })
+    }
+}
+
 impl Change {
-    fn apply(&self, solid: &Solid) -> Result<Solid> {
+    /// The object as built: bent, then tilted, then moved; `None` if it is missing.
+    pub fn apply(&self, solid: &Solid) -> Result<Option<Solid>> {
+        if self.missing {
+            return Ok(None);
+        }
         let b = solid.bounds();
         let mut foot = b.centre();
         foot.z = b.min[2];
@@ -111,7 +142,10 @@ impl Change {
             bail!("tilt_axis {:?} is no direction", self.tilt_axis);
         };
         let rotation = Rotation3::from_axis_angle(&axis, self.tilt_deg.to_radians());
-        let moved = solid.vertices().iter().map(|v| rotation * (v - foot) + foot + Vec3::from(self.shift)).collect();
-        Ok(Solid::new(moved, solid.triangles().to_vec())?)
+        let bow = Vec3::from(self.bow);
+        let (vertices, triangles) =
+            if bow == Vec3::zeros() { (solid.vertices().to_vec(), solid.triangles().to_vec()) } else { bowed(solid, &bow) };
+        let moved = vertices.iter().map(|v| rotation * (v - foot) + foot + Vec3::from(self.shift)).collect();
+        Ok(Some(Solid::new(moved, triangles)?))
     }
 }

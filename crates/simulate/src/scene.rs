@@ -10,6 +10,7 @@ use nalgebra::{Point3, Vector3};
 /// Boxes are grown by this: a flat one, or a ray along its side, would be missed.
 const PADDING_M: f64 = 1e-6;
 
+/// Everything that stands there, ready for rays.
 pub struct Scene {
     triangles: Vec<Triangle>,
     tree: Bvh<f64, 3>,
@@ -35,6 +36,7 @@ impl BHShape<f64, 3> for Triangle {
 }
 
 impl Scene {
+    /// Sorts the triangles of all solids into a tree.
     pub fn new(solids: &[Solid]) -> Self {
         let mut triangles: Vec<Triangle> =
             solids.iter().flat_map(|s| (0..s.triangles().len()).map(|t| Triangle(s.corners(t)))).collect();
