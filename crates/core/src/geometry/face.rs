@@ -12,6 +12,8 @@ use crate::{Interrupt, Result, poll_now_and_then};
 const MAX_TURN_COS: f64 = 0.990_268_068_741_570; // cos 8°
 /// … and whose corners lie no farther than this from its plane.
 const MAX_OFF_PLANE_M: f64 = 0.005;
+/// Faces that meet at no more than 30° are one smooth surface.
+const BLUNT_EDGE_COS: f64 = 0.866_025_403_784_438_6;
 
 /// The faces of a solid.
 #[derive(Debug, Clone)]
@@ -20,6 +22,8 @@ pub struct Faces {
     pub of_triangle: Vec<u32>,
     /// For each face its unit normal, outward where the solid is closed.
     pub normals: Vec<Vec3>,
+    /// For each face the smooth surface that it is a facet of, counted from 0. A plane face is one by itself.
+    pub surface_of_face: Vec<u32>,
 }
 
 impl Faces {
@@ -32,7 +36,8 @@ impl Faces {
 pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
     let planes = planes(solid, interrupt)?;
     let adjacency = Adjacency::of(solid, interrupt)?;
-    let mut faces = Faces { of_triangle: vec![Faces::NONE; planes.len()], normals: Vec::new() };
+    let mut faces =
+        Faces { of_triangle: vec![Faces::NONE; planes.len()], normals: Vec::new(), surface_of_face: Vec::new() };
     let mut by_plane: HashMap<[i64; 4], u32> = HashMap::new();
     let centre = solid.bounds().centre();
     for (round, seed) in largest_first(&planes, interrupt)?.into_iter().enumerate() {
@@ -52,7 +57,51 @@ pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
         };
         grow(seed, face, &adjacency, joins, &mut faces.of_triangle, interrupt)?;
     }
+    faces.surface_of_face = smooth_surfaces(&faces, &planes, &adjacency, interrupt)?;
     Ok(faces)
+}
+
+/// Joins faces that meet at a blunt edge: the facets of a column, a pipe, a bent wall.
+fn smooth_surfaces(
+    faces: &Faces,
+    planes: &[Option<Plane>],
+    adjacency: &Adjacency,
+    interrupt: Interrupt,
+) -> Result<Vec<u32>> {
+    let mut parent: Vec<u32> = (0..faces.normals.len() as u32).collect();
+    for (t, &f) in faces.of_triangle.iter().enumerate() {
+        poll_now_and_then(t, interrupt)?;
+        for &u in adjacency.neighbours(t) {
+            let g = faces.of_triangle[u as usize];
+            let (Some(a), Some(b)) = (planes[t], planes[u as usize]) else { continue };
+            if f < g && g != Faces::NONE && a.normal.dot(&b.normal) >= BLUNT_EDGE_COS {
+                let (f, g) = (root(&mut parent, f), root(&mut parent, g));
+                parent[f.max(g) as usize] = f.min(g);
+            }
+        }
+    }
+    // Roots come before their members: number them as they come.
+    let mut number = vec![0; parent.len()];
+    let mut count = 0;
+    for f in 0..parent.len() as u32 {
+        let r = root(&mut parent, f);
+        if r == f {
+            number[f as usize] = count;
+            count += 1;
+        } else {
+            number[f as usize] = number[r as usize];
+        }
+    }
+    Ok(number)
+}
+
+/// The member that stands for the set (union-find, halving paths).
+fn root(parent: &mut [u32], mut i: u32) -> u32 {
+    while parent[i as usize] != i {
+        parent[i as usize] = parent[parent[i as usize] as usize];
+        i = parent[i as usize];
+    }
+    i
 }
 
 /// Floods `face` from `seed` over shared edges to the triangles without a face that may join.
@@ -132,6 +181,17 @@ mod tests {
             let n = (b - a).cross(&(c - a)).normalize();
             assert!((n - faces.normals[f as usize]).norm() < 1e-12);
         }
+        assert_eq!(faces.surface_of_face, [0, 1, 2, 3, 4, 5]);
+    }
+
+    #[test]
+    fn a_cylinder_is_a_mantle_and_two_ends() {
+        let column = Solid::cylinder([0.0; 3], 0.2, 3.0, 48).unwrap();
+        let faces = group_faces(&column, NEVER).unwrap();
+        assert_eq!(faces.surface_of_face.iter().max(), Some(&2));
+        let of = |f: &(usize, &Vec3)| faces.surface_of_face[f.0];
+        let mantle: Vec<u32> = faces.normals.iter().enumerate().filter(|(_, n)| n.z.abs() < 0.5).map(|f| of(&f)).collect();
+        assert!(mantle.len() > 10 && mantle.iter().all(|s| *s == mantle[0]));
     }
 
     #[test]

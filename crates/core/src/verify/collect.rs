@@ -233,9 +233,15 @@ impl Collector {
             let blocks = &mut stations[station].blocks;
             let mut sums =
                 blocks.remove(&(i as u32)).unwrap_or_else(|| vec![Sums::default(); block.len as usize].into());
+            let before = beams(&sums);
             gather_block(samples, block, &scanner, normal, turns, &speak, &mut sums);
-            if sums.iter().any(|s| !s.is_empty()) {
-                blocks.insert(i as u32, sums);
+            let after = beams(&sums);
+            if after > before {
+                let step = &mut stations[station].step;
+                *step = step.max(header.step);
+            }
+            if after > 0 {
+                stations[station].blocks.insert(i as u32, sums);
             }
         }
         if stations[station].blocks.is_empty() {
@@ -265,6 +271,10 @@ impl Collector {
             ModelKind::Meyer2022 => ray_sums::reach(&self.evidence.model),
         }
     }
+}
+
+fn beams(sums: &[Sums]) -> u64 {
+    sums.iter().map(|s| u64::from(s.beams)).sum()
 }
 
 fn gather_block(

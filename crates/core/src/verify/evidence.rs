@@ -51,12 +51,14 @@ pub struct Station {
     pub id: i64,
     /// Where its beams start. With the number, what tells stations apart.
     pub place: Place,
+    /// Widest angle between neighbouring beams, radians; 0 where it is not known.
+    pub(super) step: f32,
     pub(super) blocks: BTreeMap<u32, Box<[Sums]>>,
 }
 
 impl Station {
     pub(super) fn new(id: i64, place: Place) -> Self {
-        Self { id, place, blocks: BTreeMap::new() }
+        Self { id, place, step: 0.0, blocks: BTreeMap::new() }
     }
 
     /// Order of stations in a value: by number, then by place.
@@ -70,6 +72,7 @@ impl Station {
     }
 
     fn add(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
+        self.step = self.step.max(other.step);
         for (round, (block, theirs)) in other.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             match self.blocks.get_mut(block) {
@@ -165,9 +168,10 @@ impl Evidence {
         if self.model != other.model {
             return mismatch(&format!("they were made with {}", self.model.difference(&other.model)));
         }
-        if self.samples != other.samples {
+        if !self.samples.are_those_of(&other.samples) {
             return mismatch("their samples differ");
         }
+        self.samples.join_surfaces(&other.samples);
         for theirs in &other.stations {
             let i = self.station_index(theirs.id, theirs.place);
             self.stations[i].add(theirs, interrupt)?;

@@ -1,9 +1,9 @@
 //! The stored and transmitted form of evidence.
 //!
-//! Layout, little-endian, version 1: version u8, `'E'` u8, two-sided u8, 0 u8, fingerprint, faces, blocks, samples
-//! and stations u32, reference 3×f64, box 6×f64, model; then face normals 3×f64; blocks as (face varint, length
-//! u8); samples 3×f32; per station its number i64, origin 3×f64 (NaN: none, infinity: many), blocks present u32, and per block its number
-//! (varint, difference) and per sample the beams (varint) and, unless 0, five signed varints.
+//! Layout, little-endian, version 3: version u8, `'E'` u8, two-sided u8, 0 u8, fingerprint, faces, blocks, samples
+//! and stations u32, reference 3×f64, box 6×f64, model; then per face its normal 3×f64 and its smooth surface (varint, at most its own number); blocks as (face varint, length
+//! u8); samples 3×f32; per station its number i64, origin 3×f64 (NaN: none, infinity: many), step f32, blocks present u32, and per block its number
+//! (varint, difference) and per sample the beams (varint) and, unless 0, five signed varints. Versions 1 and 2 have no surfaces (every face is one) and no steps.
 
 use super::evidence::{Evidence, EvidenceHeader, MAX_SUMS, Place, Station};
 use super::model::{EvidenceModel, ModelKind};
@@ -17,8 +17,8 @@ use crate::{Interrupt, poll_now_and_then};
 const TY: &str = "ab_evidence";
 
 impl Evidence {
-    /// Newest layout version that this release reads; it writes 2 where a moving platform spoke, else 1.
-    pub const VERSION: u8 = 2;
+    /// Layout version that this release writes; it reads the ones before too.
+    pub const VERSION: u8 = 3;
     /// Bytes that suffice for [`Evidence::header`].
     pub const HEADER_LEN: usize = 24 + 72 + EvidenceModel::LEN;
 
@@ -26,8 +26,7 @@ impl Evidence {
     pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
         let s = &self.samples;
         let mut out = Vec::with_capacity(Self::HEADER_LEN + 12 * s.len() * (1 + self.stations.len()));
-        let version = if self.stations.iter().any(|s| s.place == Place::Many) { 2 } else { 1 };
-        out.put(&[version, b'E', u8::from(s.two_sided), 0]);
+        out.put(&[Self::VERSION, b'E', u8::from(s.two_sided), 0]);
         out.put_u32(self.fingerprint);
         for n in [s.normals.len(), s.blocks.len(), s.len(), self.stations.len()] {
             out.put_u32(n as u32);
@@ -35,7 +34,10 @@ impl Evidence {
         out.put_vec3(&s.reference);
         self.bounds.min.iter().chain(&self.bounds.max).for_each(|&c| out.put_f64(c));
         self.model.write(&mut out);
-        s.normals.iter().for_each(|n| out.put_vec3(n));
+        for (n, surface) in s.normals.iter().zip(&s.surface_of_face) {
+            out.put_vec3(n);
+            out.put_varint(u64::from(*surface));
+        }
         for (i, b) in s.blocks.iter().enumerate() {
             poll_now_and_then(i, interrupt)?;
             out.put_varint(u64::from(b.face));
@@ -62,14 +64,14 @@ impl Evidence {
         if least > r.remaining() as u64 {
             return Err(r.bad(format!("{samples} samples and {stations} stations do not fit its length")));
         }
-        let normals = (0..faces).map(|_| unit(&mut r)).collect::<Result<Vec<_>>>()?;
+        let (normals, surface_of_face) = read_faces(&mut r, faces, h.version)?;
         let blocks = read_blocks(&mut r, blocks, faces, samples)?;
         let position = |i| poll_now_and_then(i, interrupt).and_then(|()| finite_position(&mut r));
         let positions = (0..samples).map(position).collect::<Result<Vec<_>>>()?;
-        let samples = Samples { reference: h.reference, positions, normals, blocks, two_sided: h.two_sided };
+        let samples = Samples { reference: h.reference, positions, normals, surface_of_face, blocks, two_sided: h.two_sided };
         let mut room = MAX_SUMS / BLOCK;
         let stations = (0..stations)
-            .map(|_| read_station(&mut r, &samples, h.model.kind, &mut room, interrupt))
+            .map(|_| read_station(&mut r, &samples, &h, &mut room, interrupt))
             .collect::<Result<Vec<_>>>()?;
         if stations.windows(2).any(|w| w[0].key() >= w[1].key()) {
             return Err(r.bad("its stations are not in order"));
@@ -80,6 +82,7 @@ impl Evidence {
 }
 
 struct RawHeader {
+    version: u8,
     two_sided: bool,
     fingerprint: u32,
     counts: [u32; 4],
@@ -108,12 +111,25 @@ fn read_header(bytes: &[u8]) -> Result<(Reader<'_>, RawHeader)> {
         return Err(r.bad("a coordinate is not finite"));
     }
     let model = EvidenceModel::read(&mut r)?;
-    Ok((r, RawHeader { two_sided, fingerprint, counts, reference, bounds, model }))
+    Ok((r, RawHeader { version, two_sided, fingerprint, counts, reference, bounds, model }))
 }
 
 fn unit(r: &mut Reader) -> Result<Vec3> {
     let n = r.vec3()?;
     if (n.norm() - 1.0).abs() < 1e-6 { Ok(n) } else { Err(r.bad("a normal is not a unit vector")) }
+}
+
+fn read_faces(r: &mut Reader, count: usize, version: u8) -> Result<(Vec<Vec3>, Vec<u32>)> {
+    let (mut normals, mut surfaces) = (Vec::with_capacity(count), Vec::with_capacity(count));
+    for face in 0..count as u32 {
+        normals.push(unit(r)?);
+        let surface = if version < 3 { u64::from(face) } else { r.varint()? };
+        if surface > u64::from(face) {
+            return Err(r.bad(format!("face {face} on surface {surface}")));
+        }
+        surfaces.push(surface as u32);
+    }
+    Ok((normals, surfaces))
 }
 
 fn finite_position(r: &mut Reader) -> Result<[f32; 3]> {
@@ -141,6 +157,7 @@ fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize) -> Re
 fn write_station(station: &Station, out: &mut Vec<u8>, interrupt: Interrupt) -> Result<()> {
     out.put_i64(station.id);
     out.put_vec3(&station.place.to_vec3());
+    out.put_f32(station.step);
     out.put_u32(station.blocks.len() as u32);
     let mut next = 0;
     for (round, (&i, sums)) in station.blocks.iter().enumerate() {
@@ -160,13 +177,19 @@ fn write_station(station: &Station, out: &mut Vec<u8>, interrupt: Interrupt) -> 
 fn read_station(
     r: &mut Reader,
     samples: &Samples,
-    kind: ModelKind,
+    header: &RawHeader,
     room: &mut usize,
     interrupt: Interrupt,
 ) -> Result<Station> {
     let id = r.i64()?;
     let place = Place::from_vec3(r.vec3()?).ok_or_else(|| r.bad("a station's origin is not finite"))?;
     let mut station = Station::new(id, place);
+    if header.version >= 3 {
+        station.step = r.f32()?;
+        if !(0.0..=4.0).contains(&station.step) {
+            return Err(r.bad(format!("a station's step of {} rad", station.step)));
+        }
+    }
     let present = r.u32()?;
     if present == 0 {
         return Err(r.bad("a station that saw nothing"));
@@ -178,7 +201,7 @@ fn read_station(
         let place = usize::try_from(i).unwrap_or(usize::MAX);
         let block = samples.blocks.get(place).ok_or_else(|| r.bad(format!("sums for block {i}")))?;
         *room = room.checked_sub(1).ok_or_else(|| r.bad(format!("more than {MAX_SUMS} sums")))?;
-        let sums = (0..block.len).map(|_| read_sums(r, kind)).collect::<Result<Box<[Sums]>>>()?;
+        let sums = (0..block.len).map(|_| read_sums(r, header.model.kind)).collect::<Result<Box<[Sums]>>>()?;
         station.blocks.insert(i as u32, sums);
         next = i + 1;
     }

@@ -6,6 +6,7 @@
 //! and asked: per sample for its belief, per object for a [`Summary`].
 
 mod belief;
+mod built_surface;
 mod collect;
 mod consensus;
 mod crossing;
@@ -13,8 +14,10 @@ mod evidence;
 mod evidence_bytes;
 mod face;
 mod model;
+mod observe;
 mod point_index;
 mod ray_sums;
+mod reading;
 mod sample;
 mod shift;
 mod summary;

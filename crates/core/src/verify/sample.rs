@@ -19,6 +19,8 @@ pub struct Samples {
     pub(super) positions: Vec<[f32; 3]>,
     /// Unit normal of each face.
     pub(super) normals: Vec<Vec3>,
+    /// The smooth surface that each face is a facet of.
+    pub(super) surface_of_face: Vec<u32>,
     pub(super) blocks: Vec<Block>,
     /// The faces are seen from both sides (an open surface).
     pub(super) two_sided: bool,
@@ -53,6 +55,7 @@ impl Samples {
             reference,
             positions: Vec::new(),
             normals: faces.normals,
+            surface_of_face: faces.surface_of_face,
             blocks: Vec::new(),
             two_sided: solid.closedness() == crate::geometry::Closedness::Open,
         };
@@ -88,6 +91,25 @@ impl Samples {
     /// World position of sample `i`, metres.
     pub fn position(&self, i: usize) -> Vec3 {
         self.reference + self.local(i)
+    }
+
+    /// Whether the samples are the same, wherever they were stored: older layouts know no smooth surfaces.
+    pub(super) fn are_those_of(&self, other: &Self) -> bool {
+        self.reference == other.reference
+            && self.positions == other.positions
+            && self.normals == other.normals
+            && self.blocks == other.blocks
+            && self.two_sided == other.two_sided
+    }
+
+    /// Takes over surfaces that the other knows: there, faces have lower numbers than their own.
+    pub(super) fn join_surfaces(&mut self, other: &Self) {
+        self.surface_of_face.iter_mut().zip(&other.surface_of_face).for_each(|(a, b)| *a = (*a).min(*b));
+    }
+
+    /// The face of every sample, in order; counts as the faces of [`super::Evidence::faces`] do.
+    pub fn face_of_each(&self) -> impl Iterator<Item = usize> {
+        self.blocks.iter().flat_map(|b| std::iter::repeat_n(b.face as usize, b.len as usize))
     }
 
     pub(super) fn local(&self, i: usize) -> Vec3 {

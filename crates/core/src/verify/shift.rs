@@ -1,8 +1,11 @@
 //! The object's rigid offset, from the offsets of its faces.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Matrix3, SymmetricEigen};
 
 use super::face::FaceReport;
+use super::model::EvidenceModel;
 use super::surface_points::SurfacePoints;
 use crate::geometry::Vec3;
 
@@ -28,19 +31,26 @@ pub struct Shift {
 }
 
 /// An offset along a normal, and how well it is known.
-pub(super) struct Vote {
+pub(super) struct Vote<'a> {
     pub normal: Vec3,
     /// Metres along the normal.
     pub offset: f64,
-    /// Its standard deviation, without what is common to all votes.
-    pub sd: f64,
+    /// σ by which it weighs.
+    pub weight_sd: f64,
+    /// Its standard deviation, without what it shares with others.
+    pub random_sd: f64,
+    /// Share of each station in the offset.
+    pub stations: &'a [(usize, f64)],
 }
+
+/// Below this a face's own standard deviation gives it no more weight, metres: its flatness is not better.
+const LEAST_SD_M: f64 = 3e-4;
 
 impl Shift {
     /// Robust least squares of the faces' median offsets d on their normals n, d = n·t, one vote a face. Where
     /// the object is curved and the shift long, `points` (the built surface) are then fitted to the drawn one.
-    /// `common_sd` is the error that all faces share: registration. `None` when no direction is determined.
-    pub fn fit(faces: &[FaceReport], points: &SurfacePoints, common_sd: f64) -> Option<Self> {
+    /// `None` when no direction is determined.
+    pub fn fit(faces: &[FaceReport], points: &SurfacePoints, model: &EvidenceModel) -> Option<Self> {
         let voting: Vec<&FaceReport> =
             faces.iter().filter(|f| f.surface >= MIN_SAMPLES && f.deviation.is_some()).collect();
         let total: f64 = voting.iter().map(|f| f.surface as f64).sum();
@@ -55,14 +65,19 @@ impl Shift {
         let projector: Matrix3<f64> = known.iter().map(column).map(|v| v * v.transpose()).sum();
         let votes: Vec<Vote> = voting
             .iter()
-            .filter_map(|f| f.deviation.map(|(offset, _)| Vote { normal: f.normal, offset, sd: f.random_sd.max(3e-4) }))
+            .filter_map(|f| {
+                let (offset, weight_sd) = (f.deviation?.0, f.random_sd.max(LEAST_SD_M));
+                Some(Vote { normal: f.normal, offset, weight_sd, random_sd: f.random_sd, stations: &f.stations })
+            })
             .collect();
-        let (mut vector, mut covariance) = solve(&votes, &projector)?;
-        if vector.norm() > LINEAR_M && voting.len() > known.len() * 2 {
-            (vector, covariance) = points.refine(vector, &projector).unwrap_or((vector, covariance));
+        let mut solution = Solution::of(&votes, &projector)?;
+        if solution.vector.norm() > LINEAR_M && voting.len() > known.len() * 2 {
+            solution = points.refine(solution.vector, &projector).unwrap_or(solution);
         }
-        covariance += projector * common_sd.powi(2);
-        Some(Self { vector, covariance, undetermined: undetermined.iter().map(column).collect() })
+        let covariance = solution.random
+            + solution.stations * model.sigma_station.powi(2)
+            + projector * model.sigma_model.powi(2);
+        Some(Self { vector: solution.vector, covariance, undetermined: undetermined.iter().map(column).collect() })
     }
 
     /// Whether a world axis lies mostly within the determined directions.
@@ -81,30 +96,59 @@ impl Shift {
     }
 }
 
-/// Iteratively re-weighted least squares (Huber) within the subspace of `projector`.
-pub(super) fn solve(votes: &[Vote], projector: &Matrix3<f64>) -> Option<(Vec3, Matrix3<f64>)> {
-    let mut t = Vec3::zeros();
-    let mut inverse = Matrix3::zeros();
-    for _ in 0..20 {
-        let mut normal_matrix = Matrix3::zeros();
-        let mut right = Vec3::zeros();
+/// A translation with what its errors come from.
+pub(super) struct Solution {
+    pub vector: Vec3,
+    /// Covariance from the votes' own noise, m².
+    pub random: Matrix3<f64>,
+    /// Covariance that stations registered with a σ of 1 m an axis would add, m².
+    pub stations: Matrix3<f64>,
+}
+
+impl Solution {
+    /// Iteratively re-weighted least squares (Huber) within the subspace of `projector`.
+    pub fn of(votes: &[Vote], projector: &Matrix3<f64>) -> Option<Self> {
+        let mut t = Vec3::zeros();
+        let mut inverse = Matrix3::zeros();
+        let weight = |v: &Vote, t: &Vec3| {
+            let residual = (v.offset - (projector * v.normal).dot(t)).abs() / v.weight_sd;
+            let huber = if residual <= HUBER { 1.0 } else { HUBER / residual };
+            huber / (v.weight_sd * v.weight_sd)
+        };
+        for _ in 0..20 {
+            let mut normal_matrix = Matrix3::zeros();
+            let mut right = Vec3::zeros();
+            for v in votes {
+                let n = projector * v.normal;
+                let w = weight(v, &t);
+                normal_matrix += n * n.transpose() * w;
+                right += n * (v.offset * w);
+            }
+            inverse = normal_matrix.pseudo_inverse(1e-9 * normal_matrix.norm()).ok()?;
+            let next = inverse * right;
+            let step = (next - t).norm();
+            t = next;
+            if step < 1e-7 {
+                break;
+            }
+        }
+        if !t.iter().all(|c| c.is_finite()) {
+            return None;
+        }
+        // A station registered off by b adds n·b to every offset it measured: t follows by Σ (A⁻¹ w n nᵀ share) b.
+        let mut random = Matrix3::zeros();
+        let mut by_station: BTreeMap<usize, Matrix3<f64>> = BTreeMap::new();
         for v in votes {
             let n = projector * v.normal;
-            let residual = (v.offset - n.dot(&t)).abs() / v.sd;
-            let huber = if residual <= HUBER { 1.0 } else { HUBER / residual };
-            let w = huber / (v.sd * v.sd);
-            normal_matrix += n * n.transpose() * w;
-            right += n * (v.offset * w);
+            let gain = inverse * n * weight(v, &t);
+            random += gain * gain.transpose() * v.random_sd.powi(2);
+            for (station, share) in v.stations {
+                *by_station.entry(*station).or_default() += gain * v.normal.transpose() * *share;
+            }
         }
-        inverse = normal_matrix.pseudo_inverse(1e-9 * normal_matrix.norm()).ok()?;
-        let next = inverse * right;
-        let step = (next - t).norm();
-        t = next;
-        if step < 1e-7 {
-            break;
-        }
+        let stations = by_station.values().map(|g| g * g.transpose()).sum();
+        Some(Self { vector: t, random, stations })
     }
-    t.iter().all(|c| c.is_finite()).then_some((t, inverse))
 }
 
 #[cfg(test)]
@@ -114,25 +158,33 @@ mod tests {
     fn face(normal: Vec3, deviation: f64, surface: u64) -> FaceReport {
         FaceReport {
             normal,
+            smooth_surface: 0,
             samples: surface,
             seen: surface,
             confirmed: 0,
             refuted: 0,
             pierced: 0,
             surface,
+            own: surface,
+            beyond: 0,
             coherent: true,
-            displaced: false,
             deviation: Some((deviation, 0.0009)),
             random_sd: 0.0005,
+            stations: vec![(0, 0.5), (1, 0.5)],
             conflict: 0.0,
         }
+    }
+
+    /// Two stations of 1 mm each: 0.7 mm together.
+    fn model() -> EvidenceModel {
+        EvidenceModel::default()
     }
 
     #[test]
     fn a_wall_seen_from_both_sides_determines_its_normal_only() {
         let jamb = face(Vec3::y(), 0.02, 20);
         let faces = [face(Vec3::x(), 0.012, 1000), face(-Vec3::x(), -0.012, 900), jamb];
-        let s = Shift::fit(&faces, &SurfacePoints::default(), 0.0007).unwrap();
+        let s = Shift::fit(&faces, &SurfacePoints::default(), &model()).unwrap();
         assert!((s.vector - Vec3::new(0.012, 0.0, 0.0)).norm() < 1e-9, "{}", s.vector);
         assert_eq!(s.to_text(), "(+0.0120, -, -) +/- (0.0008, -, -)");
     }
@@ -146,9 +198,9 @@ mod tests {
             .map(|n| face(n, n.dot(&truth), 100))
             .collect();
         faces[3].deviation = Some((0.09, 0.0009));
-        let s = Shift::fit(&faces, &SurfacePoints::default(), 0.0007).unwrap();
+        let s = Shift::fit(&faces, &SurfacePoints::default(), &model()).unwrap();
         assert!((s.vector - truth).norm() < 5e-4, "{}", s.vector);
         assert!(s.determines(0) && s.determines(1) && !s.determines(2));
-        assert!(Shift::fit(&[], &SurfacePoints::default(), 0.0).is_none());
+        assert!(Shift::fit(&[], &SurfacePoints::default(), &model()).is_none());
     }
 }

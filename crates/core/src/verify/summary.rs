@@ -1,5 +1,6 @@
 //! The verdict on an object.
 
+use super::built_surface::{Built, BuiltSurface};
 use super::evidence::Evidence;
 use super::face::FaceReport;
 use super::model::{EvidenceModel, ModelKind};
@@ -49,15 +50,18 @@ impl Default for VerdictRule {
 
 /// Least number of seen samples for a verdict.
 const MIN_SEEN: u64 = 5;
-/// Least share of the seen samples that must be decided; below it everything is open.
+/// Least share of the seen samples that must say something; below it everything is open.
 const MIN_DECIDED: f64 = 0.2;
-/// Least share of the seen samples that must speak for the object before it is confirmed.
+/// Least share of the seen samples that must speak for the object before it is confirmed, where its surface as a whole
+/// is not known.
 const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
-/// A face counts as well seen with this share of the object's samples that have a surface.
+/// A surface counts as well seen with this share of the object's samples that have one.
 const WELL_SEEN_SHARE: f64 = 0.03;
 const WELL_SEEN_SAMPLES: u64 = 10;
-/// A face with this share of the seen samples can condemn the object by being refuted, however.
+/// A face with this share of the seen samples can condemn the object by being pierced.
 const LARGE_FACE_SHARE: f64 = 0.1;
+/// A face is certainly off when its deviation is this many σ: the largest of several that are not seldom is.
+const CERTAINLY_OFF: f64 = 3.0;
 
 /// Verdict with the numbers that led to it: SQL's `ab_summary`.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,6 +101,8 @@ struct Totals {
     confirmed: u64,
     refuted: u64,
     pierced: u64,
+    own: u64,
+    beyond: u64,
     surface: u64,
     conflict: f64,
 }
@@ -110,6 +116,8 @@ impl Totals {
             confirmed: sum(|f| f.confirmed),
             refuted: sum(|f| f.refuted),
             pierced: sum(|f| f.pierced),
+            own: sum(|f| f.own),
+            beyond: sum(|f| f.beyond),
             surface: sum(|f| f.surface),
             conflict: faces.iter().map(|f| f.conflict).sum(),
         }
@@ -119,13 +127,16 @@ impl Totals {
 impl Evidence {
     /// The verdict at the level of accuracy and confidence of `model`.
     pub fn verdict(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Verdict> {
-        let faces = self.face_reports(&self.question(model), interrupt)?;
-        Ok(decide(&faces, &Totals::of(&faces), model, rule))
+        let model = self.question(model);
+        let built = Built::of(self, &model, interrupt)?;
+        let faces = built.faces(self, &model, interrupt)?;
+        Ok(decide(&faces, &Totals::of(&faces), &built, &model, rule).0)
     }
 
     /// Every face as judged at the level of accuracy and confidence of `model`.
     pub fn faces(&self, model: &EvidenceModel, interrupt: Interrupt) -> Result<Vec<FaceReport>> {
-        self.face_reports(&self.question(model), interrupt)
+        let model = self.question(model);
+        Built::of(self, &model, interrupt)?.faces(self, &model, interrupt)
     }
 
     /// The rigid offset; `None` where no face determines one.
@@ -136,10 +147,11 @@ impl Evidence {
     /// Verdict, shares, deviation, rigid offset and best level of accuracy.
     pub fn summary(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Summary> {
         let model = self.question(model);
-        let faces = self.face_reports(&model, interrupt)?;
+        let built = Built::of(self, &model, interrupt)?;
+        let faces = built.faces(self, &model, interrupt)?;
         let totals = Totals::of(&faces);
-        let verdict = decide(&faces, &totals, &model, rule);
-        let best_loa = self.best_loa(&model, verdict, covered(&totals, rule), rule, interrupt)?;
+        let (verdict, displaced) = decide(&faces, &totals, &built, &model, rule);
+        let best_loa = self.best_loa(&built, &model, verdict, covered(&totals, rule), rule, interrupt)?;
         let seen = totals.seen as f64;
         let shares = (totals.seen > 0).then(|| Shares {
             confirmed: totals.confirmed as f64 / seen,
@@ -148,9 +160,9 @@ impl Evidence {
             conflict: totals.conflict / seen,
         });
         // Surfaces met where an absent object should stand are not its own.
-        let built = verdict != Verdict::Absent && covered(&totals, rule);
-        let deviation = worst_face(&faces, &totals).filter(|_| built).and_then(|f| f.deviation);
-        let shift = if built { self.shift(&faces, &model, interrupt)? } else { None };
+        let stands = verdict != Verdict::Absent && covered(&totals, rule);
+        let deviation = worst_face(&faces, &totals, &displaced).filter(|_| stands).and_then(|f| f.deviation);
+        let shift = if stands { self.shift(&faces, &model, interrupt)? } else { None };
         Ok(Summary {
             verdict,
             best_loa,
@@ -166,9 +178,7 @@ impl Evidence {
         if model.kind != ModelKind::Surface {
             return Ok(None);
         }
-        let stations = (self.stations.len() as f64).max(1.0);
-        let common_sd = (model.sigma_station / stations.sqrt()).hypot(model.sigma_model);
-        Ok(Shift::fit(faces, &SurfacePoints::of(self, interrupt)?, common_sd))
+        Ok(Shift::fit(faces, &SurfacePoints::of(self, interrupt)?, model))
     }
 
     /// Level of accuracy and confidence may be asked anew; how the sums were made may not.
@@ -176,8 +186,10 @@ impl Evidence {
         EvidenceModel { confidence: asked.confidence, loa: asked.loa, ..self.model }
     }
 
+    /// The finest class that would be confirmed and that the survey proves at the confidence.
     fn best_loa(
         &self,
+        built: &Built,
         model: &EvidenceModel,
         verdict: Verdict,
         covered: bool,
@@ -192,11 +204,14 @@ impl Evidence {
             return Ok((verdict == Verdict::Confirmed).then_some(model.loa));
         }
         for loa in Loa::ALL.into_iter().rev() {
-            let confirmed = match loa == model.loa {
-                true => verdict == Verdict::Confirmed,
-                false => self.verdict(&EvidenceModel { loa, ..*model }, rule, interrupt)? == Verdict::Confirmed,
-            };
-            if confirmed {
+            let model = EvidenceModel { loa, ..*model };
+            let own = built.whole.own;
+            let proven = |s: &BuiltSurface| !counts(s.own, own) || s.holds(loa.upper()) >= model.confidence;
+            if !built.surfaces.iter().all(proven) || (own > 0 && built.whole.holds(loa.upper()) < model.confidence) {
+                continue;
+            }
+            let faces = built.faces(self, &model, interrupt)?;
+            if decide(&faces, &Totals::of(&faces), built, &model, rule).0 == Verdict::Confirmed {
                 return Ok(Some(loa));
             }
         }
@@ -211,8 +226,27 @@ fn covered(totals: &Totals, rule: &VerdictRule) -> bool {
         && totals.seen as f64 >= rule.min_coverage * totals.samples as f64
 }
 
-fn decide(faces: &[FaceReport], totals: &Totals, model: &EvidenceModel, rule: &VerdictRule) -> Verdict {
-    let decided = totals.confirmed + totals.refuted;
+/// The verdict, and for each smooth surface whether it is displaced.
+fn decide(
+    faces: &[FaceReport],
+    totals: &Totals,
+    built: &Built,
+    model: &EvidenceModel,
+    rule: &VerdictRule,
+) -> (Verdict, Vec<bool>) {
+    let displaced = displaced_surfaces(faces, totals, built);
+    let verdict = verdict_of(faces, totals, built, displaced.contains(&true), model, rule);
+    (verdict, displaced)
+}
+
+fn verdict_of(
+    faces: &[FaceReport],
+    totals: &Totals,
+    built: &Built,
+    displaced: bool,
+    model: &EvidenceModel,
+    rule: &VerdictRule,
+) -> Verdict {
     let seen = totals.seen as f64;
     if !covered(totals, rule) {
         return Verdict::Unobserved;
@@ -221,45 +255,83 @@ fn decide(faces: &[FaceReport], totals: &Totals, model: &EvidenceModel, rule: &V
     if model.kind == ModelKind::Surface && totals.conflict > rule.max_conflict * seen {
         return Verdict::Conflicting;
     }
-    if decided == 0 || (decided as f64) < MIN_DECIDED * seen {
+    // What speaks for the object where it was drawn, what shows it elsewhere, what shows that it is not there.
+    let confirmed = (totals.own - totals.beyond).max(totals.confirmed);
+    let (here, elsewhere, nothing) = (confirmed as f64, totals.beyond as f64, totals.pierced as f64);
+    let decided = here + elsewhere + nothing;
+    if decided == 0.0 || decided < MIN_DECIDED * seen {
         return Verdict::Unobserved;
     }
-    let decided = decided as f64;
-    if totals.pierced as f64 > 0.5 * decided {
+    if nothing > 0.5 * decided {
         return Verdict::Absent;
     }
-    let worst = faces.iter().any(|f| (well_seen(f, totals) && f.displaced) || mostly_refuted(f, totals));
-    if worst || (totals.confirmed as f64) < rule.min_confirmed * decided {
+    if displaced || faces.iter().any(|f| mostly_pierced(f, totals)) || here < rule.min_confirmed * decided {
         return Verdict::Deviating;
     }
-    // What stays open is too rough or too noisy for this tolerance; the ray model leaves most open by its nature.
-    if model.kind == ModelKind::Surface && (totals.confirmed as f64) < MIN_CONFIRMED_OF_SEEN * seen {
+    // Too rough or too noisy for this tolerance; the ray model leaves most open by its nature.
+    let known = built.whole.coherent && built.whole.holds(model.tolerance()) >= 0.5;
+    if model.kind == ModelKind::Surface && !known && (totals.confirmed as f64) < MIN_CONFIRMED_OF_SEEN * seen {
         return Verdict::Unobserved;
     }
     Verdict::Confirmed
 }
 
-fn well_seen(face: &FaceReport, totals: &Totals) -> bool {
-    face.surface >= WELL_SEEN_SAMPLES.min(totals.surface)
-        && face.surface as f64 >= WELL_SEEN_SHARE * totals.surface as f64
+/// Whether a part of the object's own samples is enough to count.
+fn counts(part: u64, whole: u64) -> bool {
+    part >= WELL_SEEN_SAMPLES.min(whole) && part as f64 >= WELL_SEEN_SHARE * whole as f64
 }
 
-/// A face with a fair share of what was seen, most of it refuted: part of the object is not where it was drawn.
-fn mostly_refuted(face: &FaceReport, totals: &Totals) -> bool {
-    let decided = (face.confirmed + face.refuted) as f64;
+/// For each smooth surface whether more than 5 % of it lies beyond the tolerance; where the whole object has that many
+/// although none of its surfaces does, all.
+fn displaced_surfaces(faces: &[FaceReport], totals: &Totals, built: &Built) -> Vec<bool> {
+    let mut sums = vec![(0, 0); built.surfaces.len()];
+    for f in faces {
+        if let Some(s) = sums.get_mut(f.smooth_surface as usize) {
+            *s = (s.0 + f.own, s.1 + f.beyond);
+        }
+    }
+    let off = |s: &BuiltSurface, own: u64, beyond: u64| beyond as f64 > allowed(s.independent) * own as f64;
+    let each = |(s, (own, beyond)): (&BuiltSurface, &(u64, u64))| counts(*own, totals.own) && off(s, *own, *beyond);
+    let mut out: Vec<bool> = built.surfaces.iter().zip(&sums).map(each).collect();
+    if !out.contains(&true) && totals.own > 0 && off(&built.whole, totals.own, totals.beyond) {
+        out.iter_mut().for_each(|o| *o = true);
+    }
+    out
+}
+
+/// Share of samples beyond the tolerance that a surface may have by USIBD, 5 %, and what two σ of chance add.
+fn allowed(independent: f64) -> f64 {
+    0.05 + 2.0 * (0.0475 / independent.max(1.0)).sqrt()
+}
+
+/// A face with a fair share of what was seen, most of it not there: part of the object was not built.
+fn mostly_pierced(face: &FaceReport, totals: &Totals) -> bool {
+    let decided = (face.confirmed.max(face.own) + face.pierced) as f64;
     face.seen >= WELL_SEEN_SAMPLES
         && face.seen as f64 >= LARGE_FACE_SHARE * totals.seen as f64
         && decided >= 0.5 * face.seen as f64
-        && face.refuted as f64 > 0.5 * decided
+        && face.pierced as f64 > 0.5 * decided
 }
 
-/// The well-seen face that is farthest off; the object is no better than it. Faces whose samples lie on one plane go
-/// before those where they scatter.
-fn worst_face<'a>(faces: &'a [FaceReport], totals: &Totals) -> Option<&'a FaceReport> {
-    let off = |f: &FaceReport| (f.coherent, f.deviation.map_or(0.0, |d| d.0.abs()));
-    let order = |a: &&FaceReport, b: &&FaceReport| {
-        let (a, b) = (off(a), off(b));
-        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+/// The face whose deviation stands for the object: of those that are certainly off the farthest, else the largest.
+/// Taking the farthest of all would report noise wherever nothing is off. A displaced object is judged by what is.
+fn worst_face<'a>(faces: &'a [FaceReport], totals: &Totals, displaced: &[bool]) -> Option<&'a FaceReport> {
+    let any = displaced.contains(&true);
+    let judged = |f: &&FaceReport| {
+        let d = !any || displaced.get(f.smooth_surface as usize) == Some(&true);
+        d && f.deviation.is_some() && f.surface >= WELL_SEEN_SAMPLES.min(totals.surface)
     };
-    faces.iter().filter(|f| f.deviation.is_some() && well_seen(f, totals)).max_by(order)
+    let certainly_off = |f: &FaceReport| f.deviation.map_or(0.0, |(d, sd)| if any || d.abs() > CERTAINLY_OFF * sd { d.abs() } else { 0.0 });
+    let order = |a: &&FaceReport, b: &&FaceReport| {
+        a.coherent
+            .cmp(&b.coherent)
+            .then(well_seen(a, totals).cmp(&well_seen(b, totals)))
+            .then(certainly_off(a).total_cmp(&certainly_off(b)))
+            .then(a.surface.cmp(&b.surface))
+    };
+    faces.iter().filter(judged).max_by(order)
+}
+
+fn well_seen(face: &FaceReport, totals: &Totals) -> bool {
+    counts(face.surface, totals.surface)
 }

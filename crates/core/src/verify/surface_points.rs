@@ -5,7 +5,7 @@ use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
 use super::evidence::{Evidence, Place};
-use super::shift::{Vote, solve};
+use super::shift::{Solution, Vote};
 use super::surface_sums::SurfaceReading;
 use crate::geometry::Vec3;
 use crate::{Interrupt, Result, poll};
@@ -15,6 +15,8 @@ const MAX_POINTS: usize = 6_000;
 const MAX_SAMPLES: usize = 60_000;
 /// Fewer points than this cannot better the faces' own offsets.
 const MIN_POINTS: usize = 50;
+/// Noise of one point, metres: what facets and sampling leave.
+const POINT_SD_M: f64 = 0.002;
 /// Rounds of closest points.
 const ROUNDS: usize = 12;
 /// A point is compared with drawn faces that look its way (cos 45°).
@@ -25,8 +27,8 @@ type Drawn = GeomWithData<[f64; 3], u32>;
 /// Points of the built surface near the drawn one, and the drawn samples (local coordinates of the evidence).
 #[derive(Debug, Default)]
 pub struct SurfacePoints {
-    /// Position and the face that the beam was aimed at.
-    built: Vec<(Vec3, u32)>,
+    /// Position, the face that the beam was aimed at, and the station, which has all of its deviation.
+    built: Vec<(Vec3, u32, [(usize, f64); 1])>,
     drawn: Vec<Drawn>,
     normals: Vec<Vec3>,
 }
@@ -50,7 +52,7 @@ impl SurfacePoints {
                 if i.is_multiple_of(every_drawn) {
                     out.drawn.push(Drawn::new(local.into(), block.face));
                 }
-                for (station, sums) in &heard {
+                for (number, station, sums) in &heard {
                     counter += 1;
                     let reading = SurfaceReading::of(&sums[k]).filter(|r| r.hit > 2.0 * r.through && r.hit > 1.0);
                     if let (true, Some(r)) = (counter % every_built == 0, reading) {
@@ -59,7 +61,7 @@ impl SurfacePoints {
                             Place::Many | Place::Unknown => -normal,
                         };
                         let cos = direction.dot(normal).abs().max(0.1);
-                        out.built.push((local - direction * (r.deviation / cos), block.face));
+                        out.built.push((local - direction * (r.deviation / cos), block.face, [(*number, 1.0)]));
                     }
                 }
             }
@@ -69,20 +71,20 @@ impl SurfacePoints {
 
     /// Point-to-plane closest points (Chen & Medioni 1992), translation only, one vote a face: each point weighs
     /// the less, the more of its face there are.
-    pub(super) fn refine(&self, start: Vec3, projector: &Matrix3<f64>) -> Option<(Vec3, Matrix3<f64>)> {
+    pub(super) fn refine(&self, start: Vec3, projector: &Matrix3<f64>) -> Option<Solution> {
         if self.built.len() < MIN_POINTS {
             return None;
         }
         let tree = RTree::bulk_load(self.drawn.clone());
         let mut per_face = vec![0f64; self.normals.len()];
-        self.built.iter().for_each(|(_, f)| per_face[*f as usize] += 1.0);
+        self.built.iter().for_each(|(_, f, _)| per_face[*f as usize] += 1.0);
         let mut shift = start;
-        let mut covariance = Matrix3::zeros();
+        let mut solution = None;
         for _ in 0..ROUNDS {
             let votes: Vec<Vote> = self
                 .built
                 .iter()
-                .filter_map(|(p, face)| {
+                .filter_map(|(p, face, stations)| {
                     let moved = p - shift;
                     let looks = &self.normals[*face as usize];
                     let near = tree.nearest_neighbor_iter(&moved.into()).take(16);
@@ -92,17 +94,18 @@ impl SurfacePoints {
                     let off = normal.dot(&(moved - Vec3::from(*drawn.geom())));
                     // A face's points together weigh as one vote of 0.3 mm.
                     let sd = 3e-4 * per_face[*face as usize].sqrt();
-                    Some(Vote { normal, offset: off + normal.dot(&shift), sd })
+                    let offset = off + normal.dot(&shift);
+                    Some(Vote { normal, offset, weight_sd: sd, random_sd: POINT_SD_M, stations })
                 })
                 .collect();
-            let (next, inverse) = solve(&votes, projector)?;
-            let step = (next - shift).norm();
-            shift = next;
-            covariance = inverse;
+            let next = Solution::of(&votes, projector)?;
+            let step = (next.vector - shift).norm();
+            shift = next.vector;
+            solution = Some(next);
             if step < 1e-5 {
                 break;
             }
         }
-        Some((shift, covariance))
+        solution
     }
 }

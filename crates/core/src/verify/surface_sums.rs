@@ -17,6 +17,8 @@ const WEIGHT: f64 = 65_536.0;
 const DEVIATION: f64 = 131_072.0;
 /// Beyond this many spacings the kernel (1/16 there) is cut off.
 pub(super) const KERNEL_SPACINGS: f64 = 2.0;
+/// Effective number of beams (Σw)²/Σw² of a full kernel: 2π/ln 2.
+pub(super) const BEAMS_IN_KERNEL: f64 = 9.064_720_283_654_387;
 /// A crossing may lie this far off the sample's plane, relative to its distance across the sight line: a
 /// neighbouring facet of a curve.
 const MAX_RISE: f64 = 0.35;

@@ -1,0 +1,232 @@
+//! One object under one survey: what the evidence says beside what is true.
+
+use anyhow::Result;
+use asbuilt_core::NEVER;
+use asbuilt_core::evidence::Loa;
+use asbuilt_core::geometry::Vec3;
+use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind, SampleBelief, Verdict, VerdictRule};
+use asbuilt_simulate::Scene;
+use rayon::prelude::*;
+
+use crate::building::{Building, Object};
+use crate::built::{Built, Case, Fate};
+use crate::survey::Survey;
+use crate::truth::{BuiltSurface, Expected, SampleTruth, expected, sight};
+
+/// Samples of an object whose truth is looked up, at the most.
+const MAX_TRUTHS: usize = 4000;
+
+/// An estimate with its stated standard deviation beside the truth, metres.
+#[derive(Debug, Clone, Copy)]
+pub struct Estimate {
+    pub value: f64,
+    pub sd: f64,
+    pub truth: f64,
+}
+
+/// What one sample's belief said, and whether it was so.
+#[derive(Debug, Clone, Copy)]
+pub struct Stated {
+    pub occupied: f64,
+    pub pignistic: f64,
+    pub within: bool,
+}
+
+/// An object-case.
+#[derive(Debug)]
+pub struct Outcome {
+    pub scene: usize,
+    pub object: String,
+    pub case: Case,
+    pub loa: Loa,
+    pub expected: Expected,
+    pub verdict: Verdict,
+    pub best_loa: Option<Loa>,
+    /// The finest class that a survey of this registration can prove at 95 %.
+    pub provable: Loa,
+    /// σ of what the stations' registration leaves uncertain, metres.
+    pub survey_sd: f64,
+    pub registration: f64,
+    /// Of the deviation in the summary.
+    pub deviation: Option<Estimate>,
+    /// Of every well-seen face.
+    pub faces: Vec<Estimate>,
+    /// Of the rigid shift along each determined direction; only objects that moved rigidly.
+    pub shift: Vec<Estimate>,
+    pub stated: Vec<Stated>,
+    /// A line for the list of what went wrong.
+    pub account: String,
+}
+
+/// A scene with everything known about it.
+pub struct Setup {
+    pub number: usize,
+    pub building: Building,
+    pub built: Built,
+    pub survey: Survey,
+    pub scene: Scene,
+    pub stations: Vec<Vec3>,
+    pub patches: Vec<Vec<u8>>,
+}
+
+impl Setup {
+    /// Every object under `kind`.
+    pub fn outcomes(&self, kind: ModelKind) -> Result<Vec<Outcome>> {
+        let pairs: Vec<(usize, (&Object, &Fate))> =
+            self.building.objects.iter().zip(&self.built.fates).enumerate().collect();
+        pairs.into_par_iter().map(|(i, (object, fate))| self.outcome(i, object, fate, kind)).collect()
+    }
+
+    fn outcome(&self, i: usize, object: &Object, fate: &Fate, kind: ModelKind) -> Result<Outcome> {
+        let model = self.model(i, kind);
+        let mut collector = Collector::new(&object.solid, model, NEVER)?;
+        for patch in &self.patches {
+            collector.absorb(patch, NEVER)?;
+        }
+        let evidence = collector.into_evidence();
+        let rule = VerdictRule::default();
+        let summary = evidence.summary(&model, &rule, NEVER)?;
+        let samples = self.samples(&evidence, &model, fate)?;
+        let truths: Vec<(usize, SampleTruth)> = samples.iter().map(|s| (s.face, s.truth)).collect();
+        let missing = fate.solid.is_none();
+        let expected = expected(&truths, missing, model.tolerance(), rule.min_coverage);
+        let faces = face_estimates(&evidence, &model, &samples)?;
+        let deviation = summary.deviation.and_then(|(value, sd)| {
+            faces.iter().find(|(_, e)| e.value == value).map(|(_, e)| Estimate { sd, ..*e })
+        });
+        let rigid = matches!(fate.case, Case::AsDrawn | Case::Shifted | Case::HalfHidden);
+        let shift = match &summary.shift {
+            Some(s) if rigid && !missing => shift_estimates(s, &Vec3::from(fate.change.shift)),
+            _ => Vec::new(),
+        };
+        let survey_sd = self.survey.scanner.sigma_registration / (self.stations.len() as f64).sqrt();
+        let account = format!(
+            "{} {} stations, {} mrad, range {} mm, registration {} mm: {} ({}; shift {:.1?} mm, tilt {:.2}°, bow {:.1?} mm): expected {:?} (margin {:.1} mm), {} at {}; best {:?} true {:?}; coverage {:.2}, {:?}, deviation {:?}",
+            self.number,
+            self.stations.len(),
+            self.survey.scanner.step * 1e3,
+            self.survey.scanner.sigma_range * 1e3,
+            self.survey.scanner.sigma_registration * 1e3,
+            object.name,
+            fate.case.name(),
+            fate.change.shift.map(|x| x * 1e3),
+            fate.change.tilt_deg,
+            fate.change.bow.map(|x| x * 1e3),
+            expected.verdicts,
+            expected.margin * 1e3,
+            summary.verdict.name(),
+            model.loa.name(),
+            summary.best_loa,
+            expected.loa,
+            summary.coverage,
+            summary.shares.as_ref().map(|s| [s.confirmed, s.refuted, s.open, s.conflict].map(|x| (x * 1e3).round() / 1e3)),
+            summary.deviation.map(|d| ((d.0 * 1e4).round() / 10.0, (d.1 * 1e4).round() / 10.0)),
+        );
+        Ok(Outcome {
+            scene: self.number,
+            object: object.name.clone(),
+            case: fate.case,
+            loa: model.loa,
+            verdict: summary.verdict,
+            best_loa: summary.best_loa,
+            provable: provable(survey_sd),
+            survey_sd,
+            registration: self.survey.scanner.sigma_registration,
+            deviation,
+            faces: faces.into_iter().map(|f| f.1).collect(),
+            shift,
+            stated: samples.iter().filter_map(|s| s.stated(model.tolerance())).collect(),
+            expected,
+            account,
+        })
+    }
+
+    /// The parameters that the sensor's data sheet and the registration's report give; levels of accuracy take turns
+    /// among those that the survey is fit for.
+    fn model(&self, i: usize, kind: ModelKind) -> EvidenceModel {
+        let s = &self.survey.scanner;
+        let fit: Vec<Loa> = [Loa::Loa20, Loa::Loa30, Loa::Loa40]
+            .into_iter()
+            .filter(|l| l.upper() >= 3.0 * s.sigma_registration && l.upper() >= s.sigma_range)
+            .collect();
+        EvidenceModel {
+            kind,
+            loa: fit[(i + self.number) % fit.len()],
+            sigma_range: s.sigma_range,
+            sigma_angle: s.sigma_angle,
+            sigma_station: s.sigma_registration,
+            ..EvidenceModel::default()
+        }
+    }
+
+    fn samples(&self, evidence: &Evidence, model: &EvidenceModel, fate: &Fate) -> Result<Vec<Sample>> {
+        let surface = BuiltSurface::new(fate.solid.as_ref());
+        let stride = evidence.samples().len().div_ceil(MAX_TRUTHS).max(1);
+        let faces: Vec<usize> = evidence.samples().face_of_each().collect();
+        let (mut out, mut i) = (Vec::new(), 0);
+        evidence.for_each_sample(model, NEVER, |position, normal, belief| {
+            if i % stride == 0 {
+                let area = model.spacing * model.spacing * stride as f64;
+                let step = self.survey.scanner.step;
+                let sight = sight(&self.scene, &self.stations, step, area, position, normal);
+                let truth = surface.at(position, normal, sight);
+                out.push(Sample { face: faces[i], truth, belief: *belief });
+            }
+            i += 1;
+        })?;
+        Ok(out)
+    }
+}
+
+struct Sample {
+    face: usize,
+    truth: SampleTruth,
+    belief: SampleBelief,
+}
+
+impl Sample {
+    fn stated(&self, tolerance: f64) -> Option<Stated> {
+        let m = self.belief.mass;
+        self.belief.seen.then(|| Stated {
+            occupied: m.occupied,
+            pignistic: m.occupied + 0.5 * m.unknown,
+            within: self.truth.distance <= tolerance,
+        })
+    }
+}
+
+/// The finest class whose bound is 1.96 of these σ or more.
+fn provable(sd: f64) -> Loa {
+    Loa::ALL.into_iter().rev().find(|l| l.upper() >= 1.96 * sd).unwrap_or(Loa::Loa10)
+}
+
+/// Faces with a deviation, and the true median of the same samples.
+fn face_estimates(evidence: &Evidence, model: &EvidenceModel, samples: &[Sample]) -> Result<Vec<(usize, Estimate)>> {
+    let mut out = Vec::new();
+    for (f, report) in evidence.faces(model, NEVER)?.iter().enumerate() {
+        let mut truth: Vec<f64> = samples
+            .iter()
+            .filter(|s| s.face == f && s.belief.seen && s.belief.deviation.is_some())
+            .filter_map(|s| s.truth.deviation)
+            .collect();
+        truth.sort_by(f64::total_cmp);
+        if let (Some((value, sd)), true) = (report.deviation, report.coherent && truth.len() >= 10) {
+            out.push((f, Estimate { value, sd, truth: truth[truth.len() / 2] }));
+        }
+    }
+    Ok(out)
+}
+
+/// Shift and truth along the principal directions of what is determined.
+fn shift_estimates(shift: &asbuilt_core::verify::Shift, truth: &Vec3) -> Vec<Estimate> {
+    let eigen = nalgebra::SymmetricEigen::new(shift.covariance);
+    (0..3)
+        .map(|k| eigen.eigenvectors.column(k).into_owned())
+        .filter(|v| shift.undetermined.iter().all(|u| u.dot(v).abs() < 0.05))
+        .map(|v| Estimate {
+            value: shift.vector.dot(&v),
+            sd: v.dot(&(shift.covariance * v)).max(0.0).sqrt(),
+            truth: truth.dot(&v),
+        })
+        .collect()
+}

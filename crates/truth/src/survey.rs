@@ -1,0 +1,93 @@
+//! Surveys: where the scanner stands, how well it measures, and its scans as the patches of the database.
+
+use anyhow::Result;
+use asbuilt_core::NEVER;
+use asbuilt_core::geometry::Vec3;
+use asbuilt_core::scan::{Beam, Content, Origins, Patch, Setting};
+use asbuilt_simulate::{Scanner, Scene, SimulatedScan};
+use rand::Rng;
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+use crate::building::{Building, Footprint};
+
+/// What a survey is like.
+#[derive(Debug, Clone, Copy)]
+pub struct Survey {
+    pub seed: u64,
+    pub scanner: Scanner,
+    pub stations: usize,
+}
+
+/// Values that take turns; their counts have no common divisor, so that they meet in ever other combinations.
+const STEPS_MRAD: [f64; 7] = [8.0, 3.0, 6.0, 2.0, 4.0, 1.5, 1.0];
+const SIGMA_RANGES_MM: [f64; 6] = [1.0, 0.5, 2.0, 3.0, 1.5, 5.0];
+const REGISTRATIONS_MM: [f64; 5] = [1.0, 0.0, 0.5, 2.0, 3.0];
+const MIXED: [f64; 4] = [0.002, 0.0, 0.01, 0.002];
+/// Angle error of a terrestrial scanner, radians: 8 arc seconds.
+const SIGMA_ANGLE: f64 = 4e-5;
+
+impl Survey {
+    /// Survey number `i` of a set.
+    pub fn number(i: usize, seed: u64) -> Self {
+        Self::with_step(i, seed, STEPS_MRAD[i % STEPS_MRAD.len()])
+    }
+
+    /// The same with another angular step, milliradians.
+    pub fn with_step(i: usize, seed: u64, step_mrad: f64) -> Self {
+        let scanner = Scanner {
+            step: step_mrad * 1e-3,
+            sigma_range: SIGMA_RANGES_MM[i % SIGMA_RANGES_MM.len()] * 1e-3,
+            sigma_range_per_m: 1e-5,
+            sigma_angle: SIGMA_ANGLE,
+            sigma_registration: REGISTRATIONS_MM[i % REGISTRATIONS_MM.len()] * 1e-3,
+            mixed_pixels: MIXED[i % MIXED.len()],
+            max_range: 60.0,
+            min_elevation: (-60f64).to_radians(),
+        };
+        // Dense scans from fewer stations: the set is to be done in minutes.
+        let most = if step_mrad < 1.2 { 1 } else if step_mrad < 1.8 { 2 } else { 6 };
+        Self { seed: seed + i as u64, scanner, stations: (1 + i % 5).min(most) }
+    }
+
+    /// Standing places with room around them, well apart, plan metres.
+    pub fn places(&self, building: &Building, rng: &mut ChaCha8Rng) -> Vec<Vec3> {
+        let mut out: Vec<Vec3> = Vec::new();
+        let mut apart = 0.5 * building.size.xy().norm();
+        while out.len() < self.stations {
+            let p = Vec3::new(
+                rng.random_range(0.6..building.size.x - 0.6),
+                rng.random_range(0.6..building.size.y - 0.6),
+                rng.random_range(1.4..1.8),
+            );
+            let own = Footprint { min: [p.x, p.y], max: [p.x, p.y] };
+            let free = !building.standing.iter().any(|f| f.near(&own, 0.4));
+            if free && out.iter().all(|o| (o - p).norm() > apart) {
+                out.push(p);
+            } else {
+                apart *= 0.98;
+            }
+        }
+        out
+    }
+
+    /// Scans from one place, as packed patches. `station` counts from 1.
+    pub fn scan(&self, scene: &Scene, place: &Vec3, station: i64) -> Result<Vec<Vec<u8>>> {
+        let scan = self.scanner.scan(scene, place, self.seed.wrapping_mul(1_000_003).wrapping_add(station as u64));
+        pack(&scan, station)
+    }
+}
+
+/// As `asbuilt load` does.
+fn pack(scan: &SimulatedScan, station: i64) -> Result<Vec<Vec<u8>>> {
+    let world_from_scan = scan.world_from_scan();
+    let beams = scan.shots.iter().map(|s| Beam { offset: world_from_scan * s.point, returned: s.returned }).collect();
+    let content = Content::of(beams);
+    let patch = |tile: &Vec<u32>| {
+        let (own, origins) = (content.select(tile), Origins::One);
+        let step = own.step(origins);
+        let setting = Setting { origins, station, origin: scan.registered, step, quantum: Patch::QUANTUM_M };
+        Ok(Patch::pack(&setting, &own)?.to_bytes())
+    };
+    content.cut(Origins::One, NEVER)?.par_iter().map(patch).collect()
+}
