@@ -14,6 +14,7 @@ fn head(blocks: u32, samples: u32, stations: u32) -> Vec<u8> {
         out[8 + 4 * i..12 + 4 * i].copy_from_slice(&n.to_le_bytes());
     }
     [0.0, 0.0, 1.0].into_iter().for_each(|c| out.put_f64(c));
+    out.put_varint(0);
     out
 }
 
@@ -29,6 +30,7 @@ fn forty_thousand_stations_on_forty_thousand_blocks() {
     for station in 0..N {
         bytes.put_i64(i64::from(station));
         [0.0; 3].into_iter().for_each(|c| bytes.put_f64(c));
+        bytes.put_f32(0.001);
         bytes.put_u32(1);
         bytes.put_varint(u64::from(station));
         bytes.put_varint(0);
@@ -62,6 +64,7 @@ fn more_sums_than_memory() {
     for station in 0..STATIONS {
         bytes.put_i64(i64::from(station));
         [0.0; 3].into_iter().for_each(|c| bytes.put_f64(c));
+        bytes.put_f32(0.001);
         bytes.put_u32(BLOCKS);
         bytes.resize(bytes.len() + 65 * BLOCKS as usize, 0);
     }

@@ -4,8 +4,8 @@ use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind, SampleBelief, Verdict, VerdictRule};
-use asbuilt_simulate::Scene;
+use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind, SampleBelief, Summary, Verdict, VerdictRule};
+use asbuilt_simulate::{Change, Scanner, Scene};
 use rayon::prelude::*;
 
 use crate::building::{Building, Object};
@@ -28,25 +28,20 @@ pub struct Estimate {
 #[derive(Debug, Clone, Copy)]
 pub struct Stated {
     pub occupied: f64,
-    pub pignistic: f64,
     pub within: bool,
 }
 
 /// An object-case.
 #[derive(Debug)]
 pub struct Outcome {
-    pub scene: usize,
-    pub object: String,
     pub case: Case,
-    pub loa: Loa,
     pub expected: Expected,
     pub verdict: Verdict,
     pub best_loa: Option<Loa>,
     /// The finest class that a survey of this registration can prove at 95 %.
     pub provable: Loa,
-    /// σ of what the stations' registration leaves uncertain, metres.
-    pub survey_sd: f64,
-    pub registration: f64,
+    /// What scanned it.
+    pub scanner: Scanner,
     /// Of the deviation in the summary.
     pub deviation: Option<Estimate>,
     /// Of every well-seen face.
@@ -100,38 +95,13 @@ impl Setup {
             _ => Vec::new(),
         };
         let survey_sd = self.survey.scanner.sigma_registration / (self.stations.len() as f64).sqrt();
-        let account = format!(
-            "{} {} stations, {} mrad, range {} mm, registration {} mm: {} ({}; shift {:.1?} mm, tilt {:.2}°, bow {:.1?} mm): expected {:?} (margin {:.1} mm), {} at {}; best {:?} true {:?}; coverage {:.2}, {:?}, deviation {:?}",
-            self.number,
-            self.stations.len(),
-            self.survey.scanner.step * 1e3,
-            self.survey.scanner.sigma_range * 1e3,
-            self.survey.scanner.sigma_registration * 1e3,
-            object.name,
-            fate.case.name(),
-            fate.change.shift.map(|x| x * 1e3),
-            fate.change.tilt_deg,
-            fate.change.bow.map(|x| x * 1e3),
-            expected.verdicts,
-            expected.margin * 1e3,
-            summary.verdict.name(),
-            model.loa.name(),
-            summary.best_loa,
-            expected.loa,
-            summary.coverage,
-            summary.shares.as_ref().map(|s| [s.confirmed, s.refuted, s.open, s.conflict].map(|x| (x * 1e3).round() / 1e3)),
-            summary.deviation.map(|d| ((d.0 * 1e4).round() / 10.0, (d.1 * 1e4).round() / 10.0)),
-        );
+        let account = self.account(object, fate, &model, &expected, &summary);
         Ok(Outcome {
-            scene: self.number,
-            object: object.name.clone(),
             case: fate.case,
-            loa: model.loa,
             verdict: summary.verdict,
             best_loa: summary.best_loa,
             provable: provable(survey_sd),
-            survey_sd,
-            registration: self.survey.scanner.sigma_registration,
+            scanner: self.survey.scanner,
             deviation,
             faces: faces.into_iter().map(|f| f.1).collect(),
             shift,
@@ -139,6 +109,27 @@ impl Setup {
             expected,
             account,
         })
+    }
+
+    fn account(&self, object: &Object, fate: &Fate, model: &EvidenceModel, right: &Expected, said: &Summary) -> String {
+        let millimetres = |v: [f64; 3]| v.map(|x| (x * 1e4).round() / 10.0);
+        let Change { shift, tilt_deg, bow, .. } = fate.change;
+        let names: Vec<&str> = right.verdicts.iter().map(|v| v.name()).collect();
+        format!(
+            "scene {}, {}, {} (shift {:?} mm, tilt {tilt_deg:.2}°, bow {:?} mm), {}: {} right, {:.1} mm from the border, \
+            said {} ({}; deviation {} mm)",
+            self.number,
+            object.name,
+            fate.case.name(),
+            millimetres(shift),
+            millimetres(bow),
+            model.loa.name(),
+            names.join(" or "),
+            right.margin * 1e3,
+            said.verdict.name(),
+            said.best_loa.map_or("no LOA", Loa::name),
+            said.deviation.map_or("-".into(), |(d, sd)| format!("{:.1} ± {:.1}", d * 1e3, sd * 1e3)),
+        )
     }
 
     /// The parameters that the sensor's data sheet and the registration's report give; levels of accuracy take turns
@@ -186,10 +177,8 @@ struct Sample {
 
 impl Sample {
     fn stated(&self, tolerance: f64) -> Option<Stated> {
-        let m = self.belief.mass;
         self.belief.seen.then(|| Stated {
-            occupied: m.occupied,
-            pignistic: m.occupied + 0.5 * m.unknown,
+            occupied: self.belief.mass.occupied,
             within: self.truth.distance <= tolerance,
         })
     }

@@ -18,8 +18,6 @@ const FACE_SHARE: f64 = 0.03;
 const FACE_SAMPLES: usize = 10;
 /// With fewer beams on it than these an object may stay unobserved.
 const FEW_BEAMS: f64 = 60.0;
-/// USIBD: this share of the deviations must keep the bound.
-const WITHIN: f64 = 0.95;
 
 /// The built surface of one object.
 pub struct BuiltSurface {
@@ -119,40 +117,42 @@ pub fn sight(scene: &Scene, stations: &[Vec3], step: f64, area: f64, position: &
 /// What a right verdict is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expected {
-    /// Right verdicts; two where too little is visible to insist on one.
+    /// Right verdicts; several where too little is visible, or too little of it is off, to insist on one.
     pub verdicts: Vec<Verdict>,
-    /// The finest class that the visible faces keep; `None` where there is no object.
+    /// The finest class that 95 % of every visible face keeps; `None` where there is no object.
     pub loa: Option<Loa>,
     /// Distance of what decides from the tolerance, metres: near 0 no survey can tell.
     pub margin: f64,
 }
 
-/// The right answer from the truth at samples `(face, truth)`.
+/// The right answer from the truth at samples `(face, truth)`. An object whose worst face keeps the tolerance in 95 %
+/// of its places is as drawn, one that keeps it in less than 75 % is not; between the two both may be said.
 pub fn expected(samples: &[(usize, SampleTruth)], missing: bool, tolerance: f64, min_coverage: f64) -> Expected {
     let seen: Vec<&(usize, SampleTruth)> = samples.iter().filter(|(_, t)| t.sight.stations > 0).collect();
     let share = |n: usize| n as f64 / samples.len().max(1) as f64;
     let returning = share(seen.iter().filter(|(_, t)| t.sight.returns).count());
     let beams: f64 = seen.iter().map(|(_, t)| t.sight.beams).sum();
-    let worst = if missing { f64::INFINITY } else { worst_face(&seen) };
-    let own = match () {
-        () if missing => Verdict::Absent,
-        () if worst > tolerance => Verdict::Deviating,
-        () => Verdict::Confirmed,
-    };
+    let [most, bulk] = [0.95, 0.75].map(|q| if missing { f64::INFINITY } else { worst_face(&seen, q) });
     let mut verdicts = Vec::new();
     if share(seen.len()) >= min_coverage {
-        verdicts.push(own);
+        match () {
+            () if missing => verdicts.push(Verdict::Absent),
+            () if most <= tolerance => verdicts.push(Verdict::Confirmed),
+            () if bulk > tolerance => verdicts.push(Verdict::Deviating),
+            () => verdicts.extend([Verdict::Confirmed, Verdict::Deviating]),
+        }
     }
     // Little to see, few beams to see it with, or no return to see it by.
     if returning < 2.5 * min_coverage || seen.len() < 2 * FACE_SAMPLES || beams < FEW_BEAMS {
         verdicts.push(Verdict::Unobserved);
     }
-    let finest = Loa::ALL.into_iter().rev().find(|l| worst <= l.upper());
-    Expected { verdicts, loa: if missing { None } else { finest }, margin: (worst - tolerance).abs() }
+    let finest = Loa::ALL.into_iter().rev().find(|l| most <= l.upper());
+    let margin = (most - tolerance).abs().min((bulk - tolerance).abs());
+    Expected { verdicts, loa: if missing { None } else { finest }, margin }
 }
 
-/// 95 % quantile of the deviations of the worst of the faces that count, or of all.
-fn worst_face(seen: &[&(usize, SampleTruth)]) -> f64 {
+/// This quantile of the distances of the worst of the faces that count, or of all.
+fn worst_face(seen: &[&(usize, SampleTruth)], share: f64) -> f64 {
     if seen.is_empty() {
         return 0.0;
     }
@@ -165,7 +165,7 @@ fn worst_face(seen: &[&(usize, SampleTruth)]) -> f64 {
     };
     let quantile = |mut d: Vec<f64>| {
         d.sort_by(f64::total_cmp);
-        d[((d.len() as f64 * WITHIN) as usize).min(d.len() - 1)]
+        d[((d.len() as f64 * share) as usize).min(d.len() - 1)]
     };
     let all = quantile(seen.iter().map(|(_, t)| off(t)).collect());
     by_face.into_iter().filter(counts).map(quantile).fold(all, f64::max)

@@ -63,7 +63,7 @@ SELECT ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[1,2,3]]::float8[], step => 1e-50);
 SELECT encode(ab_evidence_send(ab_evidence_agg(ab_solid(ab_box(5,-0.1,-0.1,5.1,0.1,0.1)), ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[5,0,0],[5,0.01,0]]::float8[], 0.002), ab_evidence_model(spacing => 0.1))), 'hex') AS evidence \gset
 SELECT ('ab_evidence:1:' || left(:'evidence', 300))::ab_evidence;
 SELECT ('ab_evidence:1:' || :'evidence' || '00')::ab_evidence;
-SELECT ('ab_evidence:1:03' || substr(:'evidence', 3))::ab_evidence;
+SELECT ('ab_evidence:1:09' || substr(:'evidence', 3))::ab_evidence;
 SELECT ('ab_evidence:1:' || overlay(:'evidence' placing 'ffffffff' from 33 for 8))::ab_evidence;
 SELECT ('ab_evidence:1:' || overlay(:'evidence' placing 'ffffffff' from 41 for 8))::ab_evidence;
 SELECT ('ab_evidence:1:' || overlay(:'evidence' placing 'ffffffffffffef7f' from 209 for 16))::ab_evidence;

@@ -13,6 +13,7 @@ pub mod split;
 mod weld;
 
 pub use aabb::Aabb;
+pub(crate) use adjacency::Adjacency;
 pub use box_statistics::{BoxStatistics, Relation};
 pub use closedness::Closedness;
 pub use ewkb::SurfaceKind;

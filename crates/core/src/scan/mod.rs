@@ -6,6 +6,7 @@
 //! is a question of two angles. Two other kinds are the same type on slower paths: beams of a moving platform, each with an
 //! origin of its own, and points whose origin nobody knows ([`Origins`]).
 
+mod angular_grid;
 mod bitpack;
 mod cluster;
 mod cone;
@@ -20,6 +21,7 @@ mod platform;
 mod tile;
 mod view;
 
+pub(crate) use angular_grid::AngularGrid;
 pub use cone::Cone;
 pub use content::{Beam, Content};
 pub use encode::Setting;

@@ -4,7 +4,6 @@ use super::consensus::{Consensus, Observed};
 use super::evidence::Evidence;
 use super::model::EvidenceModel;
 use super::observe::{Heard, Observations, Seen};
-use crate::evidence::Loa;
 use crate::num::normal::cdf;
 use crate::num::stats::median;
 use crate::{Interrupt, Result, poll, poll_now_and_then};
@@ -18,6 +17,8 @@ const MAX_ROUGHNESS_M: f64 = 0.015;
 const MIN_ROUGHNESS_M: f64 = 0.001;
 /// USIBD: a class holds when this share of the deviations keeps its bound.
 const WITHIN: f64 = 0.95;
+/// Most of a surface.
+const BULK: f64 = 0.75;
 
 /// One smooth surface of the object, as built.
 #[derive(Debug)]
@@ -27,8 +28,9 @@ pub struct BuiltSurface {
     /// Samples on it, and how many independent measurements they are worth.
     pub own: u64,
     pub independent: f64,
-    /// 95 % of the deviations are no larger than this, metres.
+    /// 95 %, and most, of the deviations are no larger than this, metres.
     pub quantile: f64,
+    pub bulk: f64,
     /// Standard deviation of where it is, metres: registration, the model, and the mean of the samples.
     pub sd: f64,
 }
@@ -85,7 +87,9 @@ fn fit(
         let body = observations.surface_body(s)?;
         let deviation = f64::from(body.deviation);
         let o = Observed { position: Observations::position(s), normal: e.samples.normals[s.face as usize], deviation };
-        Some((o, body.sd(), f64::from(body.random_variance)))
+        // However unsure of itself, what lies far off the course does not confirm it.
+        let reach = (AGREES_SIGMAS * body.sd()).min(MAX_ROUGHNESS_M + AGREES_SIGMAS * f64::from(body.common_variance).sqrt());
+        Some((o, reach, f64::from(body.random_variance)))
     };
     let seen = &observations.seen[run.clone()];
     let mut met = Vec::with_capacity(seen.len());
@@ -96,16 +100,11 @@ fn fit(
     let surface: Vec<Observed> = met.iter().flatten().map(|m| m.0).collect();
     let Some(course) = Consensus::fit(&surface, interrupt)? else { return Ok(None) };
     let scatter = (AGREES_SIGMAS * course.spread).clamp(MIN_ROUGHNESS_M, MAX_ROUGHNESS_M);
-    let agrees = |o: &Observed, sd: f64| course.residual(o).abs() <= (AGREES_SIGMAS * sd).max(scatter);
-    let following: Vec<bool> = met.iter().map(|m| m.as_ref().is_some_and(|(o, sd, _)| agrees(o, *sd))).collect();
+    let agrees = |(o, reach, _): &(Observed, f64, f64)| course.residual(o).abs() <= reach.max(scatter);
+    let following: Vec<bool> = met.iter().map(|m| m.as_ref().is_some_and(agrees)).collect();
     let own = || met.iter().zip(&following).filter(|(_, f)| **f).filter_map(|(m, _)| m.as_ref());
     let count = own().count();
     if (count as f64) < MAJORITY * seen.len() as f64 || !course.is_surface(own().map(|m| &m.0)) {
-        return Ok(None);
-    }
-    let centre = median(&mut own().map(|m| course.at(&m.0)).collect::<Vec<_>>()).unwrap_or(0.0);
-    // Farther behind than any class allows is not the surface displaced but what stands behind it.
-    if centre < -Loa::Loa10.upper() {
         return Ok(None);
     }
     let noise = median(&mut own().map(|m| m.2).collect::<Vec<_>>()).unwrap_or(0.0);
@@ -123,19 +122,30 @@ impl BuiltSurface {
         let on = || seen.iter().zip(own).filter(|(_, d)| !d.is_nan());
         let independent: f64 = on().map(|(s, _)| f64::from(s.independence)).sum();
         let mut size: Vec<f32> = on().map(|(_, d)| d.abs()).collect();
-        let quantile = match size.len() {
+        let mut quantile = |share: f64| match size.len() {
             0 => 0.0,
-            n => f64::from(*size.select_nth_unstable_by(((n as f64 * WITHIN) as usize).min(n - 1), f32::total_cmp).1),
+            n => f64::from(*size.select_nth_unstable_by(((n as f64 * share) as usize).min(n - 1), f32::total_cmp).1),
         };
+        let (most, bulk) = (quantile(WITHIN), quantile(BULK));
         let spread = median(&mut on().map(|(_, d)| f64::from(d.abs())).collect::<Vec<_>>()).unwrap_or(0.0);
         let random = spread.min(MAX_ROUGHNESS_M).powi(2) / independent.max(1.0);
         let sd = (heard.common_variance(model) + random).sqrt();
-        Self { coherent, own: size.len() as u64, independent, quantile, sd }
+        Self { coherent, own: size.len() as u64, independent, quantile: most, bulk, sd }
     }
 
     /// How likely the surface keeps ±`tolerance` metres in the sense of USIBD.
     pub fn holds(&self, tolerance: f64) -> f64 {
-        let below = |x: f64| cdf((x - self.quantile) / self.sd.max(1e-9));
-        below(tolerance) - below(-tolerance)
+        within(self.quantile, self.sd, tolerance)
     }
+
+    /// Whether most of it more likely keeps ±`tolerance` metres than not.
+    pub fn is_known_to_hold(&self, tolerance: f64) -> bool {
+        self.coherent && within(self.bulk, self.sd, tolerance) >= 0.5
+    }
+}
+
+/// Probability that what was measured as `deviation` lies within ±`tolerance`.
+fn within(deviation: f64, sd: f64, tolerance: f64) -> f64 {
+    let below = |x: f64| cdf((x - deviation) / sd.max(1e-9));
+    below(tolerance) - below(-tolerance)
 }

@@ -2,13 +2,14 @@
 
 use nalgebra::Matrix3;
 
-use super::crossing::Target;
+use super::encounter::{Encounters, Seen};
 use super::evidence::{Evidence, Place};
 use super::model::{EvidenceModel, ModelKind};
 use super::point_index::{LocalPoint, PointIndex};
 use super::sample::{Block, Samples};
 use super::sums::Sums;
-use super::surface_sums::{Encounter, KERNEL_SPACINGS};
+use super::surface_sums::KERNEL_SPACINGS;
+use super::target::Target;
 use super::{ray_sums, surface_sums};
 use crate::geometry::{Solid, Vec3};
 use crate::scan::{Beam, Content, Header, Origins, Patch, View, by_origin};
@@ -83,7 +84,7 @@ impl Collector {
         match header.origins() {
             Origins::One => {
                 let place = Place::At(header.origin);
-                self.absorb_view(&View::new(header, &content.beams), place, |_| (), interrupt)
+                self.absorb_view(&View::new(header, &content.beams), place, Some, interrupt)
             }
             Origins::Each => self.absorb_moving(&header, &content, interrupt),
             Origins::Unknown => self.absorb_cloud(&header, &content, interrupt),
@@ -94,7 +95,7 @@ impl Collector {
     fn absorb_moving(&mut self, header: &Header, content: &Content, interrupt: Interrupt) -> Result<()> {
         for (header, beams) in by_origin(header, content)? {
             if self.concerns(&header) {
-                self.absorb_view(&View::new(header, &beams), Place::Many, |_| (), interrupt)?;
+                self.absorb_view(&View::new(header, &beams), Place::Many, Some, interrupt)?;
             }
         }
         Ok(())
@@ -117,14 +118,19 @@ impl Collector {
         if self.evidence.model.kind == ModelKind::Surface || cameras.is_empty() {
             self.absorb_points(&[local], TIE_POINTS, interrupt)?;
         }
-        let share = 1.0 / cameras.len().max(1) as f64;
+        let share = 1.0 / cameras.len().max(1) as f32;
         for camera in cameras {
             let beam = Beam { offset: point.position - camera, returned: true };
             let step = (spacing / beam.offset.norm().max(spacing)).max(1e-7);
             let patch = Patch::encode(TIE_POINTS, *camera, step, Patch::QUANTUM_M, &[beam])?;
             if self.concerns(patch.header()) {
                 let view = View::new(patch.header().clone(), &[beam]);
-                self.absorb_view(&view, Place::At(*camera), |e: &mut Encounter| e.pierced_alone(share), interrupt)?;
+                // Only what a ray pierced: its end speaks for itself.
+                let pierced = |seen| match seen {
+                    Seen::Through(weight) => Some(Seen::Through(weight * share)),
+                    Seen::Surface(_) => None,
+                };
+                self.absorb_view(&view, Place::At(*camera), pierced, interrupt)?;
             }
         }
         Ok(())
@@ -169,48 +175,49 @@ impl Collector {
         self.evidence.check_size()
     }
 
-    /// `adjust` may take back some of what the beams encountered.
+    /// `adjust` may take back some of what the beams saw.
     fn absorb_view(
         &mut self,
         view: &View,
         place: Place,
-        adjust: impl Fn(&mut Encounter),
+        adjust: impl Fn(Seen) -> Option<Seen>,
         interrupt: Interrupt,
     ) -> Result<()> {
         let model = self.evidence.model;
         match model.kind {
             ModelKind::Surface => {
                 let crossings = self.target.crossings(view, self.reach(&view.header), interrupt)?;
-                if !crossings.any {
+                let Some(encounters) = Encounters::of(view, &self.target, &crossings, &model, adjust) else {
                     return Ok(());
-                }
-                let mut encounters = surface_sums::encounters(view, &crossings, &model);
-                encounters.iter_mut().for_each(adjust);
+                };
                 let min_cos = model.max_incidence.cos();
-                self.for_blocks(view, place, true, interrupt, |offset, normal, sums| {
+                self.for_blocks(view, place, Some(encounters.widest), interrupt, |offset, normal, sums| {
                     let cos = -offset.dot(normal) / offset.norm();
                     if cos >= min_cos {
                         surface_sums::gather(view, &encounters, offset, normal, sums);
                     }
                 })
             }
-            ModelKind::Meyer2022 => self.for_blocks(view, place, false, interrupt, |offset, _, sums| {
+            ModelKind::Meyer2022 => self.for_blocks(view, place, None, interrupt, |offset, _, sums| {
                 ray_sums::gather(view, offset, &model, sums);
             }),
         }
     }
 
-    /// Calls `speak(offset from the scanner, normal towards it, sums)` for every sample the patch may concern.
+    /// Calls `speak(offset from the scanner, normal towards it, sums)` for every sample the patch may concern: those
+    /// that look at it, and lie within `beside` metres of its cone; without that number the ray model's rule, whose
+    /// kernel is a length and asks for no normal.
     fn for_blocks(
         &mut self,
         view: &View,
         place: Place,
-        facing_only: bool,
+        beside: Option<f64>,
         interrupt: Interrupt,
         speak: impl Fn(&Vec3, &Vec3, &mut Sums),
     ) -> Result<()> {
         let header = &view.header;
-        let (margin, reach, kernel) = (self.margin(header), self.reach(header), self.kernel_radius());
+        let (margin, reach) = (self.margin(header), self.reach(header));
+        let beyond = beside.unwrap_or_else(|| self.kernel_radius());
         let station = self.evidence.station_index(header.station, place);
         // Sums count towards the scanner; where there are many, along the normal.
         let turns = place == Place::Many && self.evidence.model.kind == ModelKind::Surface;
@@ -222,8 +229,8 @@ impl Collector {
             let normal = &samples.normals[block.face as usize];
             let behind = offset.dot(normal) > *radius;
             if offset.norm() - radius > reach
-                || (facing_only && behind && !samples.two_sided)
-                || !header.cone.meets_ball(&offset, radius + kernel, margin)
+                || (beside.is_some() && behind && !samples.two_sided)
+                || !header.cone.meets_ball(&offset, radius + beyond, margin)
             {
                 continue;
             }

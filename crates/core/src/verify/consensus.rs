@@ -236,7 +236,7 @@ mod tests {
             })
             .collect();
         let c = Consensus::fit(&pipe, NEVER).unwrap().unwrap();
-        assert!(c.is_surface(pipe.iter()) && pipe.iter().all(|o| c.residual(o).abs() < 0.004), "{c:?}");
+        assert!(c.is_surface(pipe.iter()) && pipe.iter().all(|o| c.residual(o).abs() < 0.006), "{c:?}");
     }
 
     #[test]

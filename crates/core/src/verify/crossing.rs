@@ -5,104 +5,73 @@
 //! speaks about the one place where it should have met the object, whether at an edge, in an opening, at a
 //! curved face or at a thin wall.
 
-use crate::geometry::{Closedness, Solid, Vec3};
+use super::target::{Target, Triangle};
+use crate::geometry::Vec3;
 use crate::scan::View;
-use crate::{Interrupt, Result, poll, poll_now_and_then};
-
-/// Triangles of one culling chunk.
-const CHUNK: usize = 32;
-
-/// A solid made ready to be crossed.
-#[derive(Debug)]
-pub struct Target {
-    triangles: Vec<Triangle>,
-    chunks: Vec<Ball>,
-    two_sided: bool,
-}
-
-#[derive(Debug)]
-struct Triangle {
-    corners: [Vec3; 3],
-    normal: Vec3,
-}
-
-#[derive(Debug)]
-struct Ball {
-    centre: Vec3,
-    radius: f64,
-}
+use crate::{Interrupt, Result, poll};
 
 /// For each beam (by slot of the view) the first crossing with the solid.
 #[derive(Debug)]
 pub struct Crossings {
     /// Distance from the origin, metres; infinite where the beam passes by.
     pub distance: Vec<f64>,
-    /// Unit normal of the crossed face, towards the scanner.
-    pub normal: Vec<Vec3>,
-    /// Whether any beam crosses.
-    pub any: bool,
+    /// The triangle crossed.
+    pub triangle: Vec<u32>,
+    /// Slots of the beams that cross, ascending.
+    pub crossed: Vec<u32>,
+    /// Whether the crossed triangle is seen from behind.
+    from_behind: Vec<bool>,
+}
+
+impl Crossings {
+    /// Unit normal of the triangle that a beam crosses, towards the scanner.
+    pub fn facing(&self, target: &Target, slot: usize) -> Vec3 {
+        self.turned(target, slot, self.triangle[slot])
+    }
+
+    /// Normal of another triangle, on the side from which the beam sees its own.
+    pub fn turned(&self, target: &Target, slot: usize, triangle: u32) -> Vec3 {
+        let normal = target.triangles[triangle as usize].normal;
+        if self.from_behind[slot] { -normal } else { normal }
+    }
 }
 
 impl Target {
-    /// Sorts the triangles with an area into chunks of neighbours.
-    pub fn new(solid: &Solid, interrupt: Interrupt) -> Result<Self> {
-        let mut triangles = Vec::with_capacity(solid.triangles().len());
-        for t in 0..solid.triangles().len() {
-            poll_now_and_then(t, interrupt)?;
-            let corners = solid.corners(t);
-            let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
-            triangles.extend(n.try_normalize(1e-12).map(|normal| Triangle { corners, normal }));
-        }
-        let mut chunks = Vec::with_capacity(triangles.len().div_ceil(CHUNK));
-        for chunk in triangles.chunks(CHUNK) {
-            poll_now_and_then(chunks.len(), interrupt)?;
-            chunks.push(Ball::around(chunk));
-        }
-        Ok(Self { triangles, chunks, two_sided: solid.closedness() == Closedness::Open })
-    }
-
     /// The first crossing of every beam, up to `reach` metres from the origin.
     pub fn crossings(&self, view: &View, reach: f64, interrupt: Interrupt) -> Result<Crossings> {
         let mut out = Crossings {
             distance: vec![f64::INFINITY; view.len()],
-            normal: vec![Vec3::zeros(); view.len()],
-            any: false,
+            triangle: vec![Triangle::NONE; view.len()],
+            crossed: Vec::new(),
+            from_behind: vec![false; view.len()],
         };
         let origin = view.header.origin;
-        for (ball, chunk) in self.chunks.iter().zip(self.triangles.chunks(CHUNK)) {
-            let centre = ball.centre - origin;
-            if centre.norm() - ball.radius > reach || !view.header.cone.meets_ball(&centre, ball.radius, 0.0) {
-                continue;
-            }
+        let concerns = |centre: &Vec3, radius: f64| {
+            let centre = centre - origin;
+            centre.norm() - radius <= reach && view.header.cone.meets_ball(&centre, radius, 0.0)
+        };
+        for run in self.chunks(concerns) {
             poll(interrupt)?;
-            for triangle in chunk {
-                triangle.cross(view, &origin, reach, self.two_sided, &mut out);
+            for t in run {
+                self.cross(t, view, reach, &mut out);
             }
         }
+        out.crossed = (0..view.len() as u32).filter(|s| out.triangle[*s as usize] != Triangle::NONE).collect();
         Ok(out)
     }
-}
 
-impl Ball {
-    fn around(triangles: &[Triangle]) -> Self {
-        let corners = || triangles.iter().flat_map(|t| t.corners.iter());
-        let centre = crate::geometry::Aabb::around(corners()).centre();
-        Self { centre, radius: corners().map(|c| (c - centre).norm()).fold(0.0, f64::max) }
-    }
-}
-
-impl Triangle {
-    fn cross(&self, view: &View, origin: &Vec3, reach: f64, two_sided: bool, out: &mut Crossings) {
-        let [a, b, c] = self.corners.map(|p| p - origin);
-        let height = a.dot(&self.normal);
-        if height == 0.0 || (height > 0.0 && !two_sided) {
+    fn cross(&self, t: usize, view: &View, reach: f64, out: &mut Crossings) {
+        let triangle = &self.triangles[t];
+        let [a, b, c] = triangle.corners.map(|p| p - view.header.origin);
+        let height = a.dot(&triangle.normal);
+        if height == 0.0 || (height > 0.0 && !self.two_sided) {
             return; // edge on, or seen from behind
         }
         // Turned so that the normal looks at the scanner; a beam inside the triangle then has all three triple
         // products ≤ 0. Triangles that share an edge compute it from the same two points, so no beam slips through.
         let side = if height < 0.0 { 1.0 } else { -1.0 };
         let edges = [a.cross(&b) * side, b.cross(&c) * side, c.cross(&a) * side];
-        let normal = self.normal * side;
+        let normal = triangle.normal * side;
         let (min, max) = image_rectangle(view, &[a, b, c]);
         for slots in view.slots_in(min, max) {
             for slot in slots {
@@ -111,11 +80,11 @@ impl Triangle {
                     continue;
                 }
                 let slope = d.dot(&normal);
-                let t = height * side / slope;
-                if slope < 0.0 && t < out.distance[slot] && t <= reach {
-                    out.distance[slot] = t;
-                    out.normal[slot] = normal;
-                    out.any = true;
+                let distance = height * side / slope;
+                if slope < 0.0 && distance < out.distance[slot] && distance <= reach {
+                    out.distance[slot] = distance;
+                    out.triangle[slot] = t as u32;
+                    out.from_behind[slot] = side < 0.0;
                 }
             }
         }
@@ -141,6 +110,7 @@ fn image_rectangle(view: &View, corners: &[Vec3; 3]) -> ([f64; 2], [f64; 2]) {
 mod tests {
     use super::*;
     use crate::NEVER;
+    use crate::geometry::Solid;
     use crate::scan::{Beam, Patch};
     use rand::{Rng, SeedableRng};
 

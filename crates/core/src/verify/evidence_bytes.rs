@@ -225,3 +225,43 @@ fn read_sums(r: &mut Reader, kind: ModelKind) -> Result<Sums> {
     };
     if possible { Ok(Sums { beams, parts }) } else { Err(r.bad("sums that no beams can add up to")) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::NEVER;
+    use crate::geometry::Solid;
+    use crate::scan::{Beam, Patch};
+    use crate::verify::Collector;
+
+    /// Layouts 1 and 2 are layout 3 without the faces' surfaces and the stations' steps.
+    #[test]
+    fn older_layouts_are_read_and_add_up_with_new_ones() {
+        let column = Solid::cylinder([4.0, 0.0, -1.0], 0.3, 2.0, 16).unwrap();
+        let beams: Vec<Beam> = (0..400)
+            .map(|i| Vec3::new(3.7, f64::from(i % 20) * 0.02 - 0.2, f64::from(i / 20) * 0.02))
+            .map(|offset| Beam { offset, returned: true })
+            .collect();
+        let patch = Patch::encode(7, Vec3::zeros(), 5e-3, 1e-4, &beams).unwrap().to_bytes();
+        let mut collector = Collector::new(&column, EvidenceModel::default(), NEVER).unwrap();
+        collector.absorb(&patch, NEVER).unwrap();
+        let new = collector.into_evidence();
+        let bytes = new.to_bytes(NEVER).unwrap();
+        let (faces, s) = (new.samples.normals.len(), &new.samples);
+        let mut old = bytes[..Evidence::HEADER_LEN].to_vec();
+        old[0] = 1;
+        let mut rest = &bytes[Evidence::HEADER_LEN..];
+        for _ in 0..faces {
+            old.extend(&rest[..24]);
+            rest = &rest[25..];
+        }
+        let to_step = 2 * s.blocks.len() + 12 * s.len() + 8 + 24;
+        old.extend(&rest[..to_step]);
+        old.extend(&rest[to_step + 4..]);
+        let mut read = Evidence::from_bytes(&old, NEVER).unwrap();
+        assert_eq!(read.stations[0].blocks, new.stations[0].blocks);
+        assert!(read.stations[0].step == 0.0 && read.samples.surface_of_face != new.samples.surface_of_face);
+        read.merge(&new.without_stations(), NEVER).unwrap();
+        assert_eq!(read.samples, new.samples);
+    }
+}

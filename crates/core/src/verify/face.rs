@@ -96,6 +96,8 @@ impl Built {
         let scatter = if coherent { noise / count.max(1) as f64 } else { location.map_or(0.0, |l| l.1.powi(2)) };
         let random_sd = 1.2533 * (scatter / f64::max(independent, 1.0)).sqrt();
         let heard = &o.heard[face];
+        let common = heard.common_variance(model);
+        let with_sd = |(d, _): (f64, f64)| (d, (random_sd.powi(2) + common).sqrt().hypot(model.second_order_sd(d)));
         Ok(FaceReport {
             normal: e.samples.normals[face],
             smooth_surface,
@@ -108,7 +110,7 @@ impl Built {
             beyond: 0,
             surface,
             coherent,
-            deviation: location.map(|(d, _)| (d, (random_sd.powi(2) + heard.common_variance(model)).sqrt())),
+            deviation: location.map(with_sd),
             random_sd,
             stations: heard.shares().collect(),
             conflict: 0.0,

@@ -144,11 +144,23 @@ impl EvidenceModel {
         self.loa.upper()
     }
 
+    /// Variance that no number of beams and no registration takes away, m²: a tenth of a millimetre, the zero point of
+    /// a good scanner.
+    pub fn least_variance(&self) -> f64 {
+        1e-8
+    }
+
+    /// σ of a deviation's second order, metres: a surface off by this much is also turned a little, and beams meet it
+    /// beside the place that they tell of.
+    pub fn second_order_sd(&self, deviation: f64) -> f64 {
+        0.01 * deviation
+    }
+
     /// How far behind a face a return is still the face's surface, metres; farther behind, the beam pierced it. The
-    /// same for every level of accuracy, so that any can be asked of the same evidence, and beyond the coarsest
-    /// tolerance, so that what is displaced by more is still found.
+    /// bound of the coarsest level of accuracy: any can be asked of the same evidence, and what lies farther off is in
+    /// none of them.
     pub fn band_behind(&self) -> f64 {
-        JOIN_MARGIN_M
+        Loa::Loa10.upper()
     }
 
     /// How far in front of a face a return may be the face's surface, metres; farther in front it is something else

@@ -130,7 +130,10 @@ impl Observations {
     }
 
     fn bodies_of(&self, s: &Seen) -> &[Body] {
-        &self.bodies[s.first as usize..s.first as usize + usize::from(s.bodies)]
+        match s.bodies {
+            0 => &[],
+            n => &self.bodies[s.first as usize..s.first as usize + usize::from(n)],
+        }
     }
 
     /// Local position of a sample.
@@ -149,7 +152,7 @@ impl Heard {
     /// Variance that a mean over these samples shares: registration averages out over stations only, the model not.
     pub fn common_variance(&self, model: &EvidenceModel) -> f64 {
         let squares: f64 = if self.shares.is_empty() { 1.0 } else { self.shares().map(|(_, w)| w * w).sum() };
-        model.sigma_station.powi(2) * squares + model.sigma_model.powi(2)
+        model.sigma_station.powi(2) * squares + model.sigma_model.powi(2) + model.least_variance()
     }
 
     /// Adds what another face of the same surface heard.

@@ -18,6 +18,8 @@ use crate::geometry::Vec3;
 const SAME_SURFACE_SIGMAS: f64 = 3.3;
 /// … nor those farther apart than this is precise: surfaces are rough, and edges are sampled by few beams, metres.
 const SAME_SURFACE_M: f64 = 0.002;
+/// Beams on one surface scatter by this much beyond their noise at the most: plaster, a slope between them, metres.
+const ROUGHNESS_M: f64 = 0.005;
 /// How much of the reliability a surface in front of the face keeps: it may be furniture.
 const IN_FRONT_RELIABILITY: f64 = 0.9;
 /// The ray model calls a sample seen when this much of its mass is committed: its kernel is narrow, and belief
@@ -141,7 +143,7 @@ impl Reading {
             station: number,
             deviation: if r.hit >= r.through { outward } else { f64::NAN },
             random_variance: random_variance(r, range, cos, model),
-            trust: model.reliability * (1.0 - (-(r.hit + r.through)).exp()),
+            trust: model.reliability * (1.0 - (-(r.hit + r.through)).exp()) * unmixed(r, range, cos, model),
             hit_share: r.hit / (r.hit + r.through),
             has_rays: station.place != Place::Unknown,
         }
@@ -279,7 +281,7 @@ impl BodySum {
             deviation: (self.deviation / self.weight) as f32,
             random_variance: (self.random / w2) as f32,
             // The model's own error is common to all stations.
-            common_variance: (self.common / w2 + model.sigma_model * model.sigma_model) as f32,
+            common_variance: (self.common / w2 + model.sigma_model.powi(2)) as f32,
             trust: (1.0 - self.not_trusted.unwrap_or(1.0)) as f32,
             hit_share: (self.hit / self.trust) as f32,
             has_rays,
@@ -291,7 +293,18 @@ impl BodySum {
 /// Variance of a station's mean deviation at a sample: noise of range and angle (or the observed scatter, if that is
 /// larger) averaged over the beams.
 fn random_variance(r: &SurfaceReading, range: f64, cos: f64, model: &EvidenceModel) -> f64 {
+    beam_variance(range, cos, model).max(r.variance) / r.effective.max(1.0)
+}
+
+/// Variance of one beam's deviation, from range and angle, m².
+fn beam_variance(range: f64, cos: f64, model: &EvidenceModel) -> f64 {
     let sin = (1.0 - cos * cos).max(0.0).sqrt();
-    let one_beam = (model.sigma_range * cos).powi(2) + (model.sigma_angle * range * sin).powi(2);
-    one_beam.max(r.variance) / r.effective.max(1.0)
+    (model.sigma_range * cos).powi(2) + (model.sigma_angle * range * sin).powi(2)
+}
+
+/// How far the beams around a sample met one surface: where they scatter by more than noise and roughness, some met
+/// the edge's other side or what stands before it, and their mean is the place of nothing.
+fn unmixed(r: &SurfaceReading, range: f64, cos: f64, model: &EvidenceModel) -> f64 {
+    let of_one_surface = 9.0 * beam_variance(range, cos, model) + ROUGHNESS_M * ROUGHNESS_M;
+    (of_one_surface / r.variance.max(of_one_surface)).powi(2)
 }

@@ -74,10 +74,12 @@ impl Shift {
         if solution.vector.norm() > LINEAR_M && voting.len() > known.len() * 2 {
             solution = points.refine(solution.vector, &projector).unwrap_or(solution);
         }
+        let t = solution.vector;
+        let second_order = model.second_order_sd(t.norm()).powi(2);
         let covariance = solution.random
             + solution.stations * model.sigma_station.powi(2)
-            + projector * model.sigma_model.powi(2);
-        Some(Self { vector: solution.vector, covariance, undetermined: undetermined.iter().map(column).collect() })
+            + projector * (model.sigma_model.powi(2) + model.least_variance() + second_order);
+        Some(Self { vector: t, covariance, undetermined: undetermined.iter().map(column).collect() })
     }
 
     /// Whether a world axis lies mostly within the determined directions.

@@ -50,6 +50,9 @@ impl Default for VerdictRule {
 
 /// Least number of seen samples for a verdict.
 const MIN_SEEN: u64 = 5;
+/// Share of the decided samples that must have been seen empty before the object is absent: more than half, for the
+/// lee side of a displaced object is empty too.
+const MIN_EMPTY: f64 = 0.6;
 /// Least share of the seen samples that must say something; below it everything is open.
 const MIN_DECIDED: f64 = 0.2;
 /// Least share of the seen samples that must speak for the object before it is confirmed, where its surface as a whole
@@ -58,6 +61,13 @@ const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
 /// A surface counts as well seen with this share of the object's samples that have one.
 const WELL_SEEN_SHARE: f64 = 0.03;
 const WELL_SEEN_SAMPLES: u64 = 10;
+/// Least share of a surface that must keep the tolerance before it counts as displaced, unless more is asked: a ceiling
+/// of which a corner sags is still where it was drawn. [`Summary::best_loa`] asks for USIBD's 95 %.
+const MIN_WITHIN: f64 = 0.75;
+const MIN_WITHIN_USIBD: f64 = 0.95;
+/// Least share of the decided samples that must show the object in place, however strict the rule is about where its
+/// surfaces are: openings and furniture take the rest.
+const MIN_PRESENT: f64 = 0.6;
 /// A face with this share of the seen samples can condemn the object by being pierced.
 const LARGE_FACE_SHARE: f64 = 0.1;
 /// A face is certainly off when its deviation is this many σ: the largest of several that are not seldom is.
@@ -211,7 +221,8 @@ impl Evidence {
                 continue;
             }
             let faces = built.faces(self, &model, interrupt)?;
-            if decide(&faces, &Totals::of(&faces), built, &model, rule).0 == Verdict::Confirmed {
+            let rule = VerdictRule { min_confirmed: rule.min_confirmed.max(MIN_WITHIN_USIBD), ..*rule };
+            if decide(&faces, &Totals::of(&faces), built, &model, &rule).0 == Verdict::Confirmed {
                 return Ok(Some(loa));
             }
         }
@@ -234,7 +245,7 @@ fn decide(
     model: &EvidenceModel,
     rule: &VerdictRule,
 ) -> (Verdict, Vec<bool>) {
-    let displaced = displaced_surfaces(faces, totals, built);
+    let displaced = displaced_surfaces(faces, totals, built, rule.min_confirmed.max(MIN_WITHIN));
     let verdict = verdict_of(faces, totals, built, displaced.contains(&true), model, rule);
     (verdict, displaced)
 }
@@ -262,14 +273,15 @@ fn verdict_of(
     if decided == 0.0 || decided < MIN_DECIDED * seen {
         return Verdict::Unobserved;
     }
-    if nothing > 0.5 * decided {
+    if nothing > MIN_EMPTY * decided {
         return Verdict::Absent;
     }
-    if displaced || faces.iter().any(|f| mostly_pierced(f, totals)) || here < rule.min_confirmed * decided {
+    let least = rule.min_confirmed.min(MIN_PRESENT);
+    if displaced || faces.iter().any(|f| mostly_pierced(f, totals)) || here < least * decided {
         return Verdict::Deviating;
     }
     // Too rough or too noisy for this tolerance; the ray model leaves most open by its nature.
-    let known = built.whole.coherent && built.whole.holds(model.tolerance()) >= 0.5;
+    let known = built.whole.is_known_to_hold(model.tolerance());
     if model.kind == ModelKind::Surface && !known && (totals.confirmed as f64) < MIN_CONFIRMED_OF_SEEN * seen {
         return Verdict::Unobserved;
     }
@@ -281,27 +293,27 @@ fn counts(part: u64, whole: u64) -> bool {
     part >= WELL_SEEN_SAMPLES.min(whole) && part as f64 >= WELL_SEEN_SHARE * whole as f64
 }
 
-/// For each smooth surface whether more than 5 % of it lies beyond the tolerance; where the whole object has that many
-/// although none of its surfaces does, all.
-fn displaced_surfaces(faces: &[FaceReport], totals: &Totals, built: &Built) -> Vec<bool> {
+/// For each smooth surface whether less than `min_within` of it keeps the tolerance; where that holds of the whole object
+/// although of none of its surfaces, all.
+fn displaced_surfaces(faces: &[FaceReport], totals: &Totals, built: &Built, min_within: f64) -> Vec<bool> {
     let mut sums = vec![(0, 0); built.surfaces.len()];
     for f in faces {
         if let Some(s) = sums.get_mut(f.smooth_surface as usize) {
             *s = (s.0 + f.own, s.1 + f.beyond);
         }
     }
-    let off = |s: &BuiltSurface, own: u64, beyond: u64| beyond as f64 > allowed(s.independent) * own as f64;
+    let allowed = |s: &BuiltSurface| {
+        let share = 1.0 - min_within;
+        share + 2.0 * (share * min_within / s.independent.max(1.0)).sqrt()
+    };
+    // Two σ of chance more than allowed.
+    let off = |s: &BuiltSurface, own: u64, beyond: u64| beyond as f64 > allowed(s) * own as f64;
     let each = |(s, (own, beyond)): (&BuiltSurface, &(u64, u64))| counts(*own, totals.own) && off(s, *own, *beyond);
     let mut out: Vec<bool> = built.surfaces.iter().zip(&sums).map(each).collect();
     if !out.contains(&true) && totals.own > 0 && off(&built.whole, totals.own, totals.beyond) {
         out.iter_mut().for_each(|o| *o = true);
     }
     out
-}
-
-/// Share of samples beyond the tolerance that a surface may have by USIBD, 5 %, and what two σ of chance add.
-fn allowed(independent: f64) -> f64 {
-    0.05 + 2.0 * (0.0475 / independent.max(1.0)).sqrt()
 }
 
 /// A face with a fair share of what was seen, most of it not there: part of the object was not built.

@@ -5,16 +5,13 @@
 //! they are not on. Its weight at a sample Q is 2^(−ρ²/s²), with ρ the distance of X from the sight line to Q
 //! and s the local spacing of the beams: ln 2/s² of the source, already stretched along a slope.
 
-use super::crossing::Crossings;
-use super::model::EvidenceModel;
+use std::sync::LazyLock;
+
+use super::encounter::{DEVIATION, Encounters, Seen, WEIGHT};
 use super::sums::Sums;
 use crate::geometry::Vec3;
 use crate::scan::View;
 
-/// Fixed-point unit of a weight.
-const WEIGHT: f64 = 65_536.0;
-/// Fixed-point unit of a deviation: 1/131072 m, 7.6 µm.
-const DEVIATION: f64 = 131_072.0;
 /// Beyond this many spacings the kernel (1/16 there) is cut off.
 pub(super) const KERNEL_SPACINGS: f64 = 2.0;
 /// Effective number of beams (Σw)²/Σw² of a full kernel: 2π/ln 2.
@@ -25,76 +22,56 @@ const MAX_RISE: f64 = 0.35;
 /// … and its normal turn by this much (cos 30°).
 const MIN_TURN_COS: f64 = 0.866;
 
-/// What one beam saw where it would cross the solid.
-#[derive(Debug, Clone, Copy)]
-pub struct Encounter {
-    /// Crossing relative to the scanner, metres.
-    crossing: Vec3,
-    normal: Vec3,
-    seen: Seen,
-}
-
-#[derive(Debug, Clone, Copy)]
-enum Seen {
-    /// Nothing to say: passed by, stopped well in front, or too grazing.
-    Nothing,
-    /// A surface this far (fixed-point) in front of the face.
-    Surface(i32),
-    /// Empty space, with this weight.
-    Through(f64),
-}
-
-/// Classifies every beam of the view against its crossing.
-pub fn encounters(view: &View, crossings: &Crossings, model: &EvidenceModel) -> Vec<Encounter> {
-    let (in_front, behind) = (model.band_in_front(), model.band_behind());
-    let min_cos = model.max_incidence.cos();
-    (0..view.len())
-        .map(|slot| {
-            let (t, normal, range) = (crossings.distance[slot], crossings.normal[slot], view.ranges[slot]);
-            let cos = -view.directions[slot].dot(&normal);
-            let seen = if !t.is_finite() || cos < min_cos {
-                Seen::Nothing
-            } else if range.is_infinite() {
-                if t <= model.no_return_range { Seen::Through(model.no_return_weight) } else { Seen::Nothing }
-            } else {
-                let deviation = (t - range) * cos;
-                if deviation > in_front {
-                    Seen::Nothing
-                } else if deviation >= -behind {
-                    Seen::Surface((deviation * DEVIATION).round() as i32)
-                } else {
-                    Seen::Through(1.0)
-                }
-            };
-            let crossing = if t.is_finite() { view.directions[slot] * t } else { Vec3::zeros() };
-            Encounter { crossing, normal, seen }
-        })
-        .collect()
-}
+/// The kernel 2^(−ρ²/s²) by ρ²/s², in fixed point; the steps are a thousandth of its height.
+static KERNEL: LazyLock<[u16; KERNEL_STEPS + 1]> = LazyLock::new(|| {
+    std::array::from_fn(|i| ((-(i as f64) / STEPS_A_UNIT).exp2() * WEIGHT).round().min(65_535.0) as u16)
+});
+const STEPS_A_UNIT: f64 = 1024.0;
+const KERNEL_STEPS: usize = 4096;
 
 /// Adds to `sums` what the beams around the sight line to a sample saw. `offset` leads from the scanner to it.
-pub fn gather(view: &View, encounters: &[Encounter], offset: &Vec3, normal: &Vec3, sums: &mut Sums) {
-    let range = offset.norm();
+pub fn gather(view: &View, encounters: &Encounters, offset: &Vec3, normal: &Vec3, sums: &mut Sums) {
+    let range_squared = offset.norm_squared();
     let Some(uv) = view.project(offset) else { return };
     let step = f64::from(view.header.step);
     // The gnomonic image stretches away from its centre, by this much at the most.
     let radius = KERNEL_SPACINGS * step * (1.0 + uv[0] * uv[0] + uv[1] * uv[1]) * 1.05;
-    let sight = offset / range;
-    let per_spacing = 1.0 / (step * range).powi(2);
-    for slots in view.slots_in([uv[0] - radius, uv[1] - radius], [uv[0] + radius, uv[1] + radius]) {
-        for e in &encounters[slots] {
-            if matches!(e.seen, Seen::Nothing) {
-                continue;
-            }
-            let v = e.crossing - offset;
+    let here = offset.map(|c| c as f32);
+    let sight = (offset / range_squared.sqrt()).map(|c| c as f32);
+    let normal = normal.map(|c| c as f32);
+    let per_spacing = (1.0 / (step * step * range_squared)) as f32;
+    let [xs, ys, zs] = &encounters.places;
+    for slots in encounters.slots_in([uv[0] - radius, uv[1] - radius], [uv[0] + radius, uv[1] + radius]) {
+        for slot in slots {
+            let v = nalgebra::Vector3::new(xs[slot] - here.x, ys[slot] - here.y, zs[slot] - here.z);
             let along = v.dot(&sight);
             let lateral_squared = (v.norm_squared() - along * along).max(0.0);
             let across = lateral_squared * per_spacing;
-            let near = across <= KERNEL_SPACINGS * KERNEL_SPACINGS;
-            if !near || !same_surface(&v, lateral_squared.sqrt(), &e.normal, normal) {
-                continue;
+            if across < (KERNEL_SPACINGS * KERNEL_SPACINGS) as f32 {
+                let there = nalgebra::Vector3::from(encounters.normals[slot]);
+                if goes_on(v.dot(&normal).abs(), lateral_squared, there.dot(&normal)) {
+                    let weight = KERNEL[(across * STEPS_A_UNIT as f32 + 0.5) as usize];
+                    add(encounters.seen[slot], i64::from(weight), sums);
+                }
             }
-            e.add((-across).exp2(), sums);
+        }
+    }
+}
+
+/// Whether a place `rise` metres off the sample's plane lies on the sample's own surface, not on a parallel one
+/// behind it, and where their normals have this scalar product.
+fn goes_on(rise: f32, lateral_squared: f32, turn_cos: f32) -> bool {
+    turn_cos >= MIN_TURN_COS as f32
+        && (rise <= 0.002 || rise * rise <= (MAX_RISE * MAX_RISE) as f32 * lateral_squared)
+}
+
+fn add(seen: Seen, weight: i64, sums: &mut Sums) {
+    match seen {
+        Seen::Surface(d) => add_surface(weight, i64::from(d), 0, sums),
+        Seen::Through(share) => {
+            let [.., through] = &mut sums.parts;
+            *through = through.saturating_add((weight as f64 * f64::from(share)).round() as i64);
+            sums.beams = sums.beams.saturating_add(1);
         }
     }
 }
@@ -105,21 +82,9 @@ pub(super) fn same_surface(v: &Vec3, lateral: f64, normal_there: &Vec3, normal_h
     normal_there.dot(normal_here) >= MIN_TURN_COS && (rise <= 0.002 || rise <= MAX_RISE * lateral)
 }
 
-impl Encounter {
-    fn add(&self, weight: f64, sums: &mut Sums) {
-        let [.., through] = &mut sums.parts;
-        match self.seen {
-            Seen::Nothing => return,
-            Seen::Surface(d) => return add_surface(weight, i64::from(d), 0, sums),
-            Seen::Through(share) => *through = through.saturating_add((weight * share * WEIGHT).round() as i64),
-        }
-        sums.beams = sums.beams.saturating_add(1);
-    }
-}
-
-fn add_surface(weight: f64, d: i64, variance: i64, sums: &mut Sums) {
+/// A surface at `d` with a variance of its own, both in fixed point, and so is the weight.
+fn add_surface(w: i64, d: i64, variance: i64, sums: &mut Sums) {
     let [hit, squared, first, second, _] = &mut sums.parts;
-    let w = (weight * WEIGHT).round() as i64;
     *hit = hit.saturating_add(w);
     *squared = squared.saturating_add((w * w) >> 16);
     *first = first.saturating_add(w * d);
@@ -137,17 +102,8 @@ pub fn turned(sums: &Sums) -> Sums {
 pub fn add_point(weight: f64, deviation: f64, variance: f64, sums: &mut Sums) {
     let fixed = |x: f64, unit: f64| (x * unit).round() as i64;
     // No point is less certain than a metre.
-    add_surface(weight, fixed(deviation, DEVIATION), fixed(variance.min(1.0), DEVIATION * DEVIATION), sums);
-}
-
-impl Encounter {
-    /// Only what a ray pierced, at a share of its weight: where the ray's end speaks for itself.
-    pub fn pierced_alone(&mut self, share: f64) {
-        self.seen = match self.seen {
-            Seen::Through(weight) => Seen::Through(weight * share),
-            _ => Seen::Nothing,
-        };
-    }
+    let variance = fixed(variance.min(1.0), DEVIATION * DEVIATION);
+    add_surface(fixed(weight, WEIGHT), fixed(deviation, DEVIATION), variance, sums);
 }
 
 /// What the sums of one station say.
@@ -187,18 +143,14 @@ impl SurfaceReading {
 mod tests {
     use super::*;
 
-    fn encounter(seen: Seen) -> Encounter {
-        Encounter { crossing: Vec3::zeros(), normal: Vec3::x(), seen }
-    }
-
     #[test]
     fn sums_give_weighted_moments() {
         let mut sums = Sums::default();
         let observations = [(0.010, 1.0), (0.012, 0.5), (-0.003, 0.25)];
         for (d, w) in observations {
-            encounter(Seen::Surface((d * DEVIATION) as i32)).add(w, &mut sums);
+            add(Seen::Surface((d * DEVIATION) as i32), (w * WEIGHT) as i64, &mut sums);
         }
-        encounter(Seen::Through(1.0)).add(0.5, &mut sums);
+        add(Seen::Through(1.0), (0.5 * WEIGHT) as i64, &mut sums);
         let r = SurfaceReading::of(&sums).unwrap();
         let total: f64 = observations.iter().map(|o| o.1).sum();
         let mean = observations.iter().map(|o| o.0 * o.1).sum::<f64>() / total;

@@ -1,0 +1,142 @@
+//! What each beam of a patch saw where it would cross the solid, laid out for the samples around.
+
+use super::crossing::Crossings;
+use super::foot::Foot;
+use super::model::EvidenceModel;
+use super::target::Target;
+use crate::geometry::Vec3;
+use crate::scan::{AngularGrid, View};
+
+/// Fixed-point unit of a weight.
+pub const WEIGHT: f64 = 65_536.0;
+/// Fixed-point unit of a deviation: 1/131072 m, 7.6 µm.
+pub const DEVIATION: f64 = 131_072.0;
+
+/// A foot on a facet that turns by more than 30° from the one aimed at is none.
+const MIN_TURN_COS: f64 = 0.866;
+
+/// What one beam saw.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Seen {
+    /// A surface this far (fixed-point) in front of the face.
+    Surface(i32),
+    /// Empty space, with this weight.
+    Through(f32),
+}
+
+/// The beams that say something, in the cells of an angular grid by the place that they speak of.
+#[derive(Debug)]
+pub struct Encounters {
+    /// Place on the drawn surface relative to the scanner, metres: x, y and z of all.
+    pub places: [Vec<f32>; 3],
+    /// Unit normal there, towards the scanner.
+    pub normals: Vec<[f32; 3]>,
+    pub seen: Vec<Seen>,
+    grid: AngularGrid,
+    /// Farthest that any place lies from where its beam was aimed, metres.
+    pub widest: f64,
+}
+
+struct Encounter {
+    place: Vec3,
+    normal: Vec3,
+    seen: Seen,
+    uv: [f64; 2],
+}
+
+impl Encounters {
+    /// Classifies every beam of the view against its crossing; `None` if none has anything to say. `adjust` may take
+    /// back some of it.
+    pub fn of(
+        view: &View,
+        target: &Target,
+        crossings: &Crossings,
+        model: &EvidenceModel,
+        adjust: impl Fn(Seen) -> Option<Seen>,
+    ) -> Option<Self> {
+        let min_cos = model.max_incidence.cos();
+        let mut widest: f64 = 0.0;
+        let mut all = Vec::new();
+        for &slot in &crossings.crossed {
+            let slot = slot as usize;
+            let aimed = view.directions[slot] * crossings.distance[slot];
+            let Some(mut e) = encounter(view, target, crossings, slot, min_cos, model) else { continue };
+            let Some(seen) = adjust(e.seen) else { continue };
+            e.seen = seen;
+            widest = widest.max((e.place - aimed).norm());
+            all.push(e);
+        }
+        (!all.is_empty()).then(|| Self::laid_out(&all, f64::from(view.header.step), widest))
+    }
+
+    fn laid_out(all: &[Encounter], step: f64, widest: f64) -> Self {
+        let image: Vec<[f64; 2]> = all.iter().map(|e| e.uv).collect();
+        let (grid, slots) = AngularGrid::sort(&image, step);
+        let zeros = || vec![0f32; all.len()];
+        let mut out = Self {
+            places: [zeros(), zeros(), zeros()],
+            normals: vec![[0.0; 3]; all.len()],
+            seen: vec![Seen::Through(0.0); all.len()],
+            grid,
+            widest,
+        };
+        for (slot, e) in slots.into_iter().zip(all) {
+            let slot = slot as usize;
+            for k in 0..3 {
+                out.places[k][slot] = e.place[k] as f32;
+            }
+            out.normals[slot] = e.normal.map(|c| c as f32).into();
+            out.seen[slot] = e.seen;
+        }
+        out
+    }
+
+    /// Slot ranges that hold all places within the image rectangle (and some around it).
+    pub fn slots_in(&self, min: [f64; 2], max: [f64; 2]) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
+        self.grid.slots_in(min, max)
+    }
+}
+
+fn encounter(
+    view: &View,
+    target: &Target,
+    crossings: &Crossings,
+    slot: usize,
+    min_cos: f64,
+    model: &EvidenceModel,
+) -> Option<Encounter> {
+    let (t, range, direction) = (crossings.distance[slot], view.ranges[slot], &view.directions[slot]);
+    let aimed_at = crossings.triangle[slot];
+    let normal = crossings.facing(target, slot);
+    let cos = -direction.dot(&normal);
+    if cos < min_cos {
+        return None;
+    }
+    let at = |place: Vec3, normal: Vec3, seen: Seen| {
+        view.project(&place).map(|uv| Encounter { place, normal, seen, uv })
+    };
+    let aimed = direction * t;
+    if range.is_infinite() {
+        let weight = if t <= model.no_return_range { model.no_return_weight } else { 0.0 };
+        return if weight > 0.0 { at(aimed, normal, Seen::Through(weight as f32)) } else { None };
+    }
+    let deviation = (t - range) * cos;
+    if deviation > model.band_in_front() {
+        return None;
+    }
+    if deviation < -model.band_behind() {
+        return at(aimed, normal, Seen::Through(1.0));
+    }
+    let fixed = |d: f64| Seen::Surface((d * DEVIATION).round() as i32);
+    let origin = view.header.origin;
+    let met = direction * range + origin;
+    if let Some(Foot { triangle, place }) = target.foot(aimed_at, &met) {
+        let there = crossings.turned(target, slot, triangle);
+        // Moved by as much as it is round, its nearest places crowd on few facets and leave the others unheard.
+        let near = there.dot(&normal) >= MIN_TURN_COS;
+        if let (true, Some(e)) = (near, at(place - origin, there, fixed((met - place).dot(&there)))) {
+            return Some(e);
+        }
+    }
+    at(aimed, normal, fixed(deviation))
+}
