@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """Writes the demo building, a small pavilion, as IFC4: python3 demo/make_model.py > demo/pavilion.ifc
+(and with the word office a storey of 24 rooms, for benches).
 
 Plain Python, no libraries; the same file every time. Metres.
 """
 import hashlib
+import sys
 
 LINES = []
 
@@ -113,19 +115,44 @@ STOREY = add(f"IFCBUILDINGSTOREY('{guid('storey')}',$,'Ground floor',$,$,{STOREY
 for whole, part in ((PROJECT, SITE), (SITE, BUILDING), (BUILDING, STOREY)):
     add(f"IFCRELAGGREGATES('{guid(whole + part)}',$,$,$,{whole},({part}))")
 
-box("IFCSLAB", "floor", (-0.25, -0.25, -0.3), (10.25, 7.25, 0.0), "LOA20")
-box("IFCSLAB", "roof", (-0.25, -0.25, 2.8), (10.25, 7.25, 3.05), "LOA20")
-wall("wall south", (-0.25, -0.125), (10.25, -0.125), 0.25, [(1.5, 1.6, 1.3, 0.9), (6.0, 2.4, 1.3, 0.9)])
-wall("wall north", (-0.25, 7.125), (10.25, 7.125), 0.25)
-wall("wall west", (-0.125, 0), (-0.125, 7), 0.25, [(2.6, 1.0, 2.1, 0.0)])
-wall("wall east", (10.125, 0), (10.125, 7), 0.25)
-wall("partition", (5.5, 0), (5.5, 4.6), 0.12, [(2.2, 0.9, 2.1, 0.0)])
-wall("screen wall", (7.2, 5.2), (10.0, 5.2), 0.15)
-column("column A", (2.8, 5.0), 0.18)
-column("column B", (5.5, 5.6), 0.18)
-column("column C", (7.8, 2.2), 0.18)
-box("IFCBEAM", "beam", (0.0, 4.88, 2.45), (5.4, 5.12, 2.8))
-box("IFCBUILDINGELEMENTPROXY", "store behind the wall", (3.0, 7.6, 0.0), (6.0, 9.0, 2.4))
+
+def pavilion():
+    box("IFCSLAB", "floor", (-0.25, -0.25, -0.3), (10.25, 7.25, 0.0), "LOA20")
+    box("IFCSLAB", "roof", (-0.25, -0.25, 2.8), (10.25, 7.25, 3.05), "LOA20")
+    wall("wall south", (-0.25, -0.125), (10.25, -0.125), 0.25, [(1.5, 1.6, 1.3, 0.9), (6.0, 2.4, 1.3, 0.9)])
+    wall("wall north", (-0.25, 7.125), (10.25, 7.125), 0.25)
+    wall("wall west", (-0.125, 0), (-0.125, 7), 0.25, [(2.6, 1.0, 2.1, 0.0)])
+    wall("wall east", (10.125, 0), (10.125, 7), 0.25)
+    wall("partition", (5.5, 0), (5.5, 4.6), 0.12, [(2.2, 0.9, 2.1, 0.0)])
+    wall("screen wall", (7.2, 5.2), (10.0, 5.2), 0.15)
+    column("column A", (2.8, 5.0), 0.18)
+    column("column B", (5.5, 5.6), 0.18)
+    column("column C", (7.8, 2.2), 0.18)
+    box("IFCBEAM", "beam", (0.0, 4.88, 2.45), (5.4, 5.12, 2.8))
+    box("IFCBUILDINGELEMENTPROXY", "store behind the wall", (3.0, 7.6, 0.0), (6.0, 9.0, 2.4))
+
+
+def office(nx=6, ny=4, width=3.6, depth=4.2):
+    """Rooms in a grid, about 200 objects: for benches."""
+    for i in range(nx):
+        for j in range(ny):
+            x, y, room = i * width, j * depth, f"{i + 1}.{j + 1}"
+            box("IFCSLAB", f"floor {room}", (x, y, -0.25), (x + width, y + depth, 0.0))
+            box("IFCSLAB", f"ceiling {room}", (x, y, 2.8), (x + width, y + depth, 3.05))
+            column(f"column {room}", (x + 0.7, y + 0.7), 0.15)
+            box("IFCBEAM", f"beam {room}", (x + 0.1, y + 2.0, 2.5), (x + width - 0.1, y + 2.25, 2.8))
+            box("IFCFURNISHINGELEMENT", f"cupboard {room}", (x + 2.4, y + 3.4, 0.0), (x + 3.4, y + 3.9, 1.8))
+    for i in range(nx + 1):
+        for j in range(ny):
+            hole = [(1.5, 1.0, 2.1, 0.0)] if 0 < i < nx else [(1.2, 1.6, 1.3, 0.9)]
+            wall(f"wall x{i}.{j + 1}", (i * width, j * depth + 0.06), (i * width, (j + 1) * depth - 0.06), 0.12, hole)
+    for i in range(nx):
+        for j in range(ny + 1):
+            hole = [(1.2, 1.0, 2.1, 0.0)] if 0 < j < ny else []
+            wall(f"wall y{i + 1}.{j}", (i * width, j * depth), ((i + 1) * width, j * depth), 0.12, hole)
+
+
+office() if sys.argv[1:] == ["office"] else pavilion()
 add(f"IFCRELCONTAINEDINSPATIALSTRUCTURE('{guid('contained')}',$,$,$,{refs(PRODUCTS)},{STOREY})")
 
 print("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('ViewDefinition [ReferenceView_V1.2]'),'2;1');")

@@ -266,6 +266,16 @@ COMMENT ON FUNCTION ab_solid_from_ewkb(bytea) IS 'A solid from WKB or EWKB of a 
 CREATE FUNCTION ab_as_ewkb(solid ab_solid, tin boolean DEFAULT false) RETURNS bytea
     AS 'MODULE_PATHNAME', 'ab_solid_as_ewkb' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000;
 COMMENT ON FUNCTION ab_as_ewkb(ab_solid, boolean) IS 'EWKB of a solid as POLYHEDRALSURFACE Z, or as TIN Z; one face a triangle, no SRID';
+-- Verifying many objects at once.
+CREATE FUNCTION ab_verify_table(
+    objects text, scans text, model ab_evidence_model DEFAULT NULL, keep_evidence boolean DEFAULT true,
+    min_confirmed float8 DEFAULT NULL, min_coverage float8 DEFAULT NULL, max_conflict float8 DEFAULT NULL,
+    OUT id bigint, OUT e ab_evidence, OUT verdict text, OUT best_loa ab_loa, OUT samples bigint, OUT coverage float8,
+    OUT confirmed float8, OUT refuted float8, OUT open float8, OUT conflict float8,
+    OUT deviation float8, OUT deviation_sd float8, OUT shift text) RETURNS SETOF record
+    AS 'MODULE_PATHNAME', 'ab_verify_table' LANGUAGE c STABLE PARALLEL RESTRICTED COST 100000000 ROWS 1000;
+COMMENT ON FUNCTION ab_verify_table(text, text, ab_evidence_model, boolean, float8, float8, float8) IS 'Evidence and verdict of every object of one query (id, solid, perhaps its own ab_evidence_model) from the patches of another; every patch is unpacked once for all objects. Uses as many threads as a parallel plan would have processes (max_parallel_workers_per_gather + 1)';
+
 -- Voxels.
 
 CREATE TYPE ab_grid;

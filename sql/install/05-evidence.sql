@@ -101,3 +101,12 @@ CREATE AGGREGATE ab_rollup_agg(e ab_evidence) (
     COMBINEFUNC = ab_evidence_combine, SERIALFUNC = ab_evidence_serial, DESERIALFUNC = ab_evidence_deserial,
     FINALFUNC = ab_evidence_final, PARALLEL = SAFE);
 COMMENT ON AGGREGATE ab_rollup_agg(ab_evidence) IS 'Adds up evidence about the same solid, exactly';
+
+CREATE FUNCTION ab_verify_table(
+    objects text, scans text, model ab_evidence_model DEFAULT NULL, keep_evidence boolean DEFAULT true,
+    min_confirmed float8 DEFAULT NULL, min_coverage float8 DEFAULT NULL, max_conflict float8 DEFAULT NULL,
+    OUT id bigint, OUT e ab_evidence, OUT verdict text, OUT best_loa ab_loa, OUT samples bigint, OUT coverage float8,
+    OUT confirmed float8, OUT refuted float8, OUT open float8, OUT conflict float8,
+    OUT deviation float8, OUT deviation_sd float8, OUT shift text) RETURNS SETOF record
+    AS 'MODULE_PATHNAME', 'ab_verify_table' LANGUAGE c STABLE PARALLEL RESTRICTED COST 100000000 ROWS 1000;
+COMMENT ON FUNCTION ab_verify_table(text, text, ab_evidence_model, boolean, float8, float8, float8) IS 'Evidence and verdict of every object of one query (id, solid, perhaps its own ab_evidence_model) from the patches of another; every patch is unpacked once for all objects. Uses as many threads as a parallel plan would have processes (max_parallel_workers_per_gather + 1)';

@@ -1,4 +1,5 @@
-//! The only place with `unsafe`: PostgreSQL's calling convention, memory, arrays, rows, interrupts, the planner's questions.
+//! The only place with `unsafe`: PostgreSQL's calling convention, memory, arrays, rows, queries, interrupts, threads, the
+//! planner's questions.
 //!
 //! Everything outside sees safe types: [`Args`] to read arguments, [`Ret`] to return, [`Rows`] to return many.
 
@@ -9,11 +10,13 @@ mod array;
 mod function;
 mod gist;
 mod interrupt;
+mod query;
 mod ret;
 mod rows;
 mod scratch;
 mod selectivity;
 mod sort;
+mod threads;
 mod toast;
 mod type_name;
 
@@ -24,8 +27,10 @@ pub use function::run;
 pub(crate) use function::sql_functions;
 pub use gist::{KeyVector, PickSplit};
 pub use interrupt::interrupt;
+pub use query::{Cell, Column, Query, for_each_batch};
 pub use ret::Ret;
 pub use rows::{Field, Rows};
 pub use selectivity::{Known, Other, Restriction, join, restriction};
 pub use sort::{Place, sorted_by};
+pub use threads::Crew;
 pub use type_name::own_type_name;

@@ -8,7 +8,8 @@ use crate::pg::{Args, Ret, sql_functions};
 
 const TY: &str = "ab_evidence_model";
 
-fn parse(bytes: &[u8]) -> Result<EvidenceModel> {
+/// Reads the stored form.
+pub fn parse(bytes: &[u8]) -> Result<EvidenceModel> {
     let mut r = Reader::new(bytes, TY);
     let model = EvidenceModel::read(&mut r)?;
     r.finish()?;

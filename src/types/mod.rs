@@ -22,6 +22,7 @@ mod sensor;
 mod solid;
 mod summary;
 pub mod uncertain;
+mod verify_table;
 mod voxelize;
 
 pub use aabb::{BOX_LEN, box_bytes, box_from};

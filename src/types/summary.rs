@@ -17,7 +17,8 @@ pub fn question(args: &Args, e: &Evidence, i: usize) -> Result<EvidenceModel> {
     Ok(model)
 }
 
-fn rule(args: &Args, i: usize) -> Result<VerdictRule> {
+/// The thresholds in argument `i` and the two after it, unless NULL.
+pub fn rule(args: &Args, i: usize) -> Result<VerdictRule> {
     let mut rule = VerdictRule::default();
     for (k, (what, place)) in [
         ("min_confirmed", &mut rule.min_confirmed),
@@ -43,7 +44,8 @@ fn summary(args: &Args) -> Result<Summary> {
     e.summary(&question(args, &e, 1)?, &rule(args, 3)?, &interrupt)
 }
 
-fn row(s: &Summary) -> Vec<Field> {
+/// The columns of `ab_summary`.
+pub fn row(s: &Summary) -> Vec<Field> {
     let share = |f: fn(&asbuilt_core::verify::Shares) -> f64| Field::or_null(s.shares.as_ref(), |x| Field::F64(f(x)));
     vec![
         Field::Text(s.verdict.name().into()),

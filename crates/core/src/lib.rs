@@ -26,8 +26,8 @@ pub mod voxel;
 
 pub use error::{Error, Result};
 
-/// Asked now and then by long work; `true` means: stop with [`Error::Interrupted`].
-pub type Interrupt<'a> = &'a dyn Fn() -> bool;
+/// Asked now and then by long work, on any of its threads; `true` means: stop with [`Error::Interrupted`].
+pub type Interrupt<'a> = &'a (dyn Fn() -> bool + Sync);
 
 /// An [`Interrupt`] that never says stop.
 pub const NEVER: Interrupt = &|| false;

@@ -1,7 +1,7 @@
 //! Long work asks for interrupts as it goes: four times the work, about four times the questions; and it stops at once
 //! whenever the answer is yes.
 
-use std::cell::Cell;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::scan::{Beam, Patch};
@@ -35,19 +35,18 @@ type Work<'a> = (&'static str, Box<dyn Fn(Interrupt) -> Result<()> + 'a>);
 
 /// How often `work` asks, after checking that it stops when told at some of these times.
 fn questions((what, work): &Work) -> usize {
-    let asked = Cell::new(0);
+    let asked = AtomicUsize::new(0);
     let stop_at = |k: usize| {
-        asked.set(0);
+        asked.store(0, Relaxed);
         work(&|| {
-            asked.set(asked.get() + 1);
-            asked.get() == k
+            asked.fetch_add(1, Relaxed) + 1 == k
         })
     };
     stop_at(usize::MAX).unwrap();
-    let total = asked.get();
+    let total = asked.load(Relaxed);
     for k in (1..=total).step_by(total.div_ceil(10).max(1)) {
         assert_eq!(stop_at(k), Err(Error::Interrupted), "{what}: question {k} of {total}");
-        assert_eq!(asked.get(), k, "{what} went on after it was told to stop");
+        assert_eq!(asked.load(Relaxed), k, "{what} went on after it was told to stop");
     }
     total
 }

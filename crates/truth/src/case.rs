@@ -3,8 +3,8 @@
 use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
-use asbuilt_core::geometry::Vec3;
-use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind, SampleBelief, Summary, Verdict, VerdictRule};
+use asbuilt_core::geometry::{Solid, Vec3};
+use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind, SampleBelief, Summary, Threads, Verdict, VerdictRule, Verifier};
 use asbuilt_simulate::{Change, Scanner, Scene};
 use rayon::prelude::*;
 
@@ -65,27 +65,40 @@ pub struct Setup {
 }
 
 impl Setup {
-    /// Every object under `kind`.
-    pub fn outcomes(&self, kind: ModelKind) -> Result<Vec<Outcome>> {
-        let pairs: Vec<(usize, (&Object, &Fate))> =
-            self.building.objects.iter().zip(&self.built.fates).enumerate().collect();
-        pairs.into_par_iter().map(|(i, (object, fate))| self.outcome(i, object, fate, kind)).collect()
+    /// Every object under `kind`: all together as `ab_verify_table` and `asbuilt verify` take them, or each `alone` as
+    /// `ab_evidence_agg` does.
+    pub fn outcomes(&self, kind: ModelKind, alone: bool) -> Result<Vec<Outcome>> {
+        let objects = &self.building.objects;
+        let solids: Vec<(Solid, EvidenceModel)> =
+            objects.iter().enumerate().map(|(i, o)| (o.solid.clone(), self.model(i, kind))).collect();
+        let evidence = if alone {
+            solids.par_iter().map(|(solid, model)| self.evidence_alone(solid, *model)).collect::<Result<Vec<_>>>()?
+        } else {
+            let mut verifier = Verifier::new(&solids, Threads::Pool, NEVER)?;
+            for batch in self.patches.chunks(32) {
+                verifier.absorb(batch, NEVER)?;
+            }
+            verifier.into_evidence()
+        };
+        let cases: Vec<_> = objects.iter().zip(&self.built.fates).zip(&evidence).collect();
+        cases.into_par_iter().map(|((object, fate), evidence)| self.outcome(object, fate, evidence)).collect()
     }
 
-    fn outcome(&self, i: usize, object: &Object, fate: &Fate, kind: ModelKind) -> Result<Outcome> {
-        let model = self.model(i, kind);
-        let mut collector = Collector::new(&object.solid, model, NEVER)?;
-        for patch in &self.patches {
-            collector.absorb(patch, NEVER)?;
-        }
-        let evidence = collector.into_evidence();
+    fn evidence_alone(&self, solid: &Solid, model: EvidenceModel) -> Result<Evidence> {
+        let mut collector = Collector::new(solid, model, NEVER)?;
+        self.patches.iter().try_for_each(|patch| collector.absorb(patch, NEVER))?;
+        Ok(collector.into_evidence())
+    }
+
+    fn outcome(&self, object: &Object, fate: &Fate, evidence: &Evidence) -> Result<Outcome> {
+        let model = *evidence.model();
         let rule = VerdictRule::default();
         let summary = evidence.summary(&model, &rule, NEVER)?;
-        let samples = self.samples(&evidence, &model, fate)?;
+        let samples = self.samples(evidence, &model, fate)?;
         let truths: Vec<(usize, SampleTruth)> = samples.iter().map(|s| (s.face, s.truth)).collect();
         let missing = fate.solid.is_none();
         let expected = expected(&truths, missing, model.tolerance(), rule.min_coverage);
-        let faces = face_estimates(&evidence, &model, &samples)?;
+        let faces = face_estimates(evidence, &model, &samples)?;
         let deviation = summary.deviation.and_then(|(value, sd)| {
             faces.iter().find(|(_, e)| e.value == value).map(|(_, e)| Estimate { sd, ..*e })
         });
@@ -177,10 +190,8 @@ struct Sample {
 
 impl Sample {
     fn stated(&self, tolerance: f64) -> Option<Stated> {
-        self.belief.seen.then(|| Stated {
-            occupied: self.belief.mass.occupied,
-            within: self.truth.distance <= tolerance,
-        })
+        let (occupied, within) = (self.belief.mass.occupied, self.truth.distance <= tolerance);
+        self.belief.seen.then_some(Stated { occupied, within })
     }
 }
 

@@ -41,6 +41,9 @@ struct Args {
     /// Five coarse scenes only, and fail where the numbers fall short
     #[arg(long)]
     short: bool,
+    /// Verify every object by itself, as ab_evidence_agg does, not together with its neighbours
+    #[arg(long)]
+    alone: bool,
     /// Write the report here, pictures beside it
     #[arg(long, value_name = "FILE.md")]
     report: Option<PathBuf>,
@@ -59,9 +62,9 @@ fn main() -> Result<()> {
         eprintln!("truth: scene {number} ({} of {})", done + 1, numbers.len());
         let setup = setup(*number, args.seed)?;
         scenes.push(SceneLine::of(&setup));
-        surface.outcomes.extend(setup.outcomes(ModelKind::Surface)?);
+        surface.outcomes.extend(setup.outcomes(ModelKind::Surface, args.alone)?);
         if !args.short {
-            rays.outcomes.extend(setup.outcomes(ModelKind::Meyer2022)?);
+            rays.outcomes.extend(setup.outcomes(ModelKind::Meyer2022, args.alone)?);
         }
     }
     print!("{}", report::text(&surface, (!args.short).then_some(&rays)));

@@ -76,10 +76,13 @@ impl Results {
     }
 }
 
+/// What a line of the head asks of a model's results.
+type Answer<'a> = &'a dyn Fn(&Results) -> String;
+
 /// The tables as text.
 pub fn text(surface: &Results, rays: Option<&Results>) -> String {
     let mut out = String::from("| | `surface` | `meyer2022` |\n| --- | --- | --- |\n");
-    let rows: [(&str, &dyn Fn(&Results) -> String); 8] = [
+    let rows: [(&str, Answer); 8] = [
         ("verdict right", &|r| r.verdicts().text()),
         ("said to be absent and is not", &|r| r.false_absent().text()),
         ("best LOA right or one class more cautious, of what the registration can prove", &|r| r.loa(true).text()),

@@ -48,17 +48,22 @@ pub struct VerifyArgs {
 }
 
 const VERDICTS: &str = "
-SELECT o.name, o.global_id, o.ifc_class, o.storey, o.loa, s.verdict, s.best_loa::text, s.samples, s.coverage,
+SELECT o.name, o.global_id, o.ifc_class, o.storey, coalesce($2, o.loa::text), s.verdict, s.best_loa::text, s.samples, s.coverage,
        s.confirmed, s.refuted, s.open, s.conflict, s.deviation, s.deviation_sd, s.shift
-FROM  (SELECT o.id, o.name, o.global_id, o.ifc_class, o.storey,
-              coalesce($2, o.loa::text) AS loa,
-              ab_evidence_agg(o.solid, s.patch, ab_evidence_model(
-                  loa => coalesce($2::text::ab_loa, o.loa), model => $3, spacing => $4,
-                  sigma_range => $5, sigma_station => $6, confidence => $7)) AS e
-       FROM   building_object o LEFT JOIN scan s ON s.epoch = $1 AND s.patch && o.solid
-       GROUP  BY o.id) o
-CROSS  JOIN LATERAL ab_summary(o.e) s
+FROM   building_object o
+JOIN   ab_verify_table(
+           format('SELECT id, solid, ab_evidence_model(loa => coalesce(%L::ab_loa, loa), model => %L, spacing => %L,
+                          sigma_range => %L, sigma_station => %L, confidence => %L)
+                   FROM building_object WHERE id = ANY(%L)', $2::text, $3::text, $4::float8, $5::float8, $6::float8, $7::float8, $8::bigint[]),
+           format('SELECT patch FROM scan WHERE epoch = %s', $1::int),
+           keep_evidence => false) s ON s.id = o.id
 ORDER  BY o.id";
+
+/// Objects that are verified together: neighbours know each other, and their evidence is in memory together.
+const BATCHES: &str = "
+SELECT array_agg(id ORDER BY id) FROM (
+  SELECT id, floor(sum(coalesce(ab_area(solid), 0)) OVER (ORDER BY id) / ($1::float8 * $1 * 20e6)) AS batch FROM building_object) x
+GROUP BY batch ORDER BY batch";
 
 pub fn run(args: &VerifyArgs) -> Result<()> {
     let mut client = args.database.connect()?;
@@ -66,10 +71,22 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     tables::check_loaded(&mut client)?;
     tables::check_epoch(&mut client, args.epoch)?;
     let loa = args.loa.map(Loa::name);
-    let parameters: [&(dyn ToSql + Sync); 7] =
-        [&args.epoch, &loa, &args.model, &args.spacing, &args.sigma_range, &args.sigma_station, &args.confidence];
     let bar = spinner("verifying");
-    let rows = client.query(VERDICTS, &parameters).map_err(explain)?;
+    let mut rows = Vec::new();
+    for batch in client.query(BATCHES, &[&args.spacing]).map_err(explain)? {
+        let ids: Vec<i64> = batch.get(0);
+        let parameters: [&(dyn ToSql + Sync); 8] = [
+            &args.epoch,
+            &loa,
+            &args.model,
+            &args.spacing,
+            &args.sigma_range,
+            &args.sigma_station,
+            &args.confidence,
+            &ids,
+        ];
+        rows.extend(client.query(VERDICTS, &parameters).map_err(explain)?);
+    }
     bar.finish_and_clear();
     let wide = !matches!(args.format, Format::Table);
     let mut columns = vec!["name"];

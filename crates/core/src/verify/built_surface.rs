@@ -15,6 +15,9 @@ const AGREES_SIGMAS: f64 = 3.0;
 /// … but no farther off than this, metres: rough surfaces, not clutter.
 const MAX_ROUGHNESS_M: f64 = 0.015;
 const MIN_ROUGHNESS_M: f64 = 0.001;
+/// A surface that was met in front of the drawn one is the built one only where this share of it was seen: of an edge
+/// that a neighbour covers, a strip beside the neighbour's end is.
+const BARED: f64 = 0.25;
 /// USIBD: a class holds when this share of the deviations keeps its bound.
 const WITHIN: f64 = 0.95;
 /// Most of a surface.
@@ -62,7 +65,7 @@ impl Built {
         let mut all = Heard::default();
         for (run, heard) in observations.surfaces.iter().zip(&heard) {
             poll(interrupt)?;
-            let fit = fit(e, &observations, run, interrupt)?;
+            let fit = fit(e, &observations, run, heard, interrupt)?;
             let coherent = fit.is_some();
             if let Some(fit) = fit {
                 own[run.clone()].copy_from_slice(&fit);
@@ -81,6 +84,7 @@ fn fit(
     e: &Evidence,
     observations: &Observations,
     run: &std::ops::Range<usize>,
+    heard: &Heard,
     interrupt: Interrupt,
 ) -> Result<Option<Vec<f32>>> {
     let observed = |s: &Seen| {
@@ -105,6 +109,10 @@ fn fit(
     let own = || met.iter().zip(&following).filter(|(_, f)| **f).filter_map(|(m, _)| m.as_ref());
     let count = own().count();
     if (count as f64) < MAJORITY * seen.len() as f64 || !course.is_surface(own().map(|m| &m.0)) {
+        return Ok(None);
+    }
+    let centre = median(&mut own().map(|m| course.at(&m.0)).collect::<Vec<_>>()).unwrap_or(0.0);
+    if centre > MAX_ROUGHNESS_M && (seen.len() as f64) < BARED * heard.samples as f64 {
         return Ok(None);
     }
     let noise = median(&mut own().map(|m| m.2).collect::<Vec<_>>()).unwrap_or(0.0);

@@ -2,22 +2,72 @@
 
 use nalgebra::Matrix3;
 
-use super::encounter::{Encounters, Seen};
+use super::crossing::Crossing;
+use super::encounter::{self, Encounters, Seen};
 use super::evidence::{Evidence, Place};
 use super::model::{EvidenceModel, ModelKind};
 use super::point_index::{LocalPoint, PointIndex};
-use super::sample::{Block, Samples};
+use super::sample::{BLOCK, Block, Samples};
 use super::sums::Sums;
 use super::surface_sums::KERNEL_SPACINGS;
 use super::target::Target;
 use super::{ray_sums, surface_sums};
 use crate::geometry::{Solid, Vec3};
-use crate::scan::{Beam, Content, Header, Origins, Patch, View, by_origin};
+use crate::scan::{Beam, Header, Origins, Patch, View, by_origin};
 use crate::uncertain::Point;
 use crate::{Interrupt, Result, poll};
 
 /// The station number of tie points; their cameras tell themselves apart by their places.
 const TIE_POINTS: i64 = 0;
+
+/// A patch made ready for any number of objects.
+#[derive(Debug)]
+pub struct Unpacked {
+    header: Header,
+    beams: Beams,
+}
+
+#[derive(Debug)]
+enum Beams {
+    FromOne(Box<View>),
+    FromMany(Vec<View>),
+    /// Relative to the header's origin, metres.
+    Points(Vec<Vec3>),
+}
+
+/// What the beams of a patch are aimed at in one solid.
+#[derive(Debug)]
+pub(super) enum Aim {
+    /// None of it: the patch has nothing to say.
+    Aside,
+    /// The first crossing of every beam that crosses.
+    At(Vec<Crossing>),
+    /// To be found out beam by beam.
+    Unknown,
+}
+
+impl Unpacked {
+    /// Number of beams that start at one place; 0 for other patches.
+    pub(super) fn aimed_beams(&self) -> usize {
+        if let Beams::FromOne(view) = &self.beams { view.len() } else { 0 }
+    }
+
+    /// Unpacks a patch.
+    pub fn of(patch: &[u8]) -> Result<Self> {
+        let (header, content) = Patch::beams_of(patch)?;
+        let beams = match header.origins() {
+            Origins::One => Beams::FromOne(Box::new(View::new(header.clone(), &content.beams))),
+            Origins::Each => {
+                let by_place = by_origin(&header, &content)?;
+                Beams::FromMany(by_place.into_iter().map(|(header, beams)| View::new(header, &beams)).collect())
+            }
+            Origins::Unknown => {
+                Beams::Points(content.beams.iter().filter(|b| b.returned).map(|b| b.offset).collect())
+            }
+        };
+        Ok(Self { header, beams })
+    }
+}
 
 /// Evidence in the making: the value, and the solid made ready for beams.
 #[derive(Debug)]
@@ -77,35 +127,70 @@ impl Collector {
     /// Adds what a packed patch says. Points without origin speak for the face nearest to them, and never of empty
     /// space.
     pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
-        if !self.concerns(&Header::read(patch)?) {
-            return Ok(());
+        if self.concerns(&Header::read(patch)?) { self.absorb_unpacked(&Unpacked::of(patch)?, interrupt) } else { Ok(()) }
+    }
+
+    /// The same for a patch that is unpacked already.
+    pub fn absorb_unpacked(&mut self, patch: &Unpacked, interrupt: Interrupt) -> Result<()> {
+        let aim = self.aim(patch, interrupt)?;
+        self.absorb_aimed(patch, &aim, None, interrupt)
+    }
+
+    /// Where the beams of a patch from one place would cross the solid.
+    pub(super) fn aim(&self, patch: &Unpacked, interrupt: Interrupt) -> Result<Aim> {
+        if !self.concerns(&patch.header) {
+            return Ok(Aim::Aside);
         }
-        let (header, content) = Patch::beams_of(patch)?;
-        match header.origins() {
-            Origins::One => {
-                let place = Place::At(header.origin);
-                self.absorb_view(&View::new(header, &content.beams), place, Some, interrupt)
+        match (&patch.beams, self.evidence.model.kind) {
+            (Beams::FromOne(view), ModelKind::Surface) => {
+                let crossings = self.target.crossings(view, self.reach(&view.header), interrupt)?;
+                Ok(if crossings.is_empty() { Aim::Aside } else { Aim::At(crossings) })
             }
-            Origins::Each => self.absorb_moving(&header, &content, interrupt),
-            Origins::Unknown => self.absorb_cloud(&header, &content, interrupt),
+            _ => Ok(Aim::Unknown),
         }
     }
 
-    /// Beams that start at many places: each place speaks alone, as one station.
-    fn absorb_moving(&mut self, header: &Header, content: &Content, interrupt: Interrupt) -> Result<()> {
-        for (header, beams) in by_origin(header, content)? {
-            if self.concerns(&header) {
-                self.absorb_view(&View::new(header, &beams), Place::Many, Some, interrupt)?;
-            }
+    /// Marks the beams of the patch that met the solid where it is drawn.
+    pub(super) fn explain(&self, patch: &Unpacked, aim: &Aim, explained: &mut [bool]) {
+        if let (Beams::FromOne(view), Aim::At(crossings)) = (&patch.beams, aim) {
+            encounter::explain(view, &self.target, crossings, &self.evidence.model, explained);
         }
-        Ok(())
     }
 
-    fn absorb_cloud(&mut self, header: &Header, content: &Content, interrupt: Interrupt) -> Result<()> {
+    /// Adds what a patch says whose aim is known. What met another object where that is drawn (`explained`, by slot)
+    /// hides a face behind it, and does not displace it.
+    pub(super) fn absorb_aimed(
+        &mut self,
+        patch: &Unpacked,
+        aim: &Aim,
+        explained: Option<&[bool]>,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        match (&patch.beams, aim) {
+            (_, Aim::Aside) => Ok(()),
+            (Beams::FromOne(view), Aim::At(crossings)) => {
+                let place = Place::At(view.header.origin);
+                self.absorb_crossings(view, crossings, place, explained, Some, interrupt)
+            }
+            (Beams::FromOne(view), _) => self.absorb_view(view, Place::At(view.header.origin), Some, interrupt),
+            // Each place speaks alone; together they are one station.
+            (Beams::FromMany(views), _) => {
+                for view in views {
+                    if self.concerns(&view.header) {
+                        self.absorb_view(view, Place::Many, Some, interrupt)?;
+                    }
+                }
+                Ok(())
+            }
+            (Beams::Points(points), _) => self.absorb_cloud(&patch.header, points, interrupt),
+        }
+    }
+
+    fn absorb_cloud(&mut self, header: &Header, returns: &[Vec3], interrupt: Interrupt) -> Result<()> {
         let shift = header.origin - self.evidence.samples.reference;
         let spacing = f64::from(header.step).max(1e-4);
-        let point = |b: &Beam| LocalPoint { position: b.offset + shift, covariance: Matrix3::zeros(), spacing };
-        let points: Vec<LocalPoint> = content.beams.iter().filter(|b| b.returned).map(point).collect();
+        let point = |p: &Vec3| LocalPoint { position: p + shift, covariance: Matrix3::zeros(), spacing };
+        let points: Vec<LocalPoint> = returns.iter().map(point).collect();
         self.absorb_points(&points, header.station, interrupt)
     }
 
@@ -187,21 +272,34 @@ impl Collector {
         match model.kind {
             ModelKind::Surface => {
                 let crossings = self.target.crossings(view, self.reach(&view.header), interrupt)?;
-                let Some(encounters) = Encounters::of(view, &self.target, &crossings, &model, adjust) else {
-                    return Ok(());
-                };
-                let min_cos = model.max_incidence.cos();
-                self.for_blocks(view, place, Some(encounters.widest), interrupt, |offset, normal, sums| {
-                    let cos = -offset.dot(normal) / offset.norm();
-                    if cos >= min_cos {
-                        surface_sums::gather(view, &encounters, offset, normal, sums);
-                    }
-                })
+                self.absorb_crossings(view, &crossings, place, None, adjust, interrupt)
             }
             ModelKind::Meyer2022 => self.for_blocks(view, place, None, interrupt, |offset, _, sums| {
                 ray_sums::gather(view, offset, &model, sums);
             }),
         }
+    }
+
+    fn absorb_crossings(
+        &mut self,
+        view: &View,
+        crossings: &[Crossing],
+        place: Place,
+        explained: Option<&[bool]>,
+        adjust: impl Fn(Seen) -> Option<Seen>,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        let model = self.evidence.model;
+        let Some(encounters) = Encounters::of(view, &self.target, crossings, &model, explained, adjust) else {
+            return Ok(());
+        };
+        let min_cos = model.max_incidence.cos();
+        self.for_blocks(view, place, Some(encounters.widest), interrupt, |offset, normal, sums| {
+            let cos = -offset.dot(normal) / offset.norm();
+            if cos >= min_cos {
+                surface_sums::gather(view, &encounters, offset, normal, sums);
+            }
+        })
     }
 
     /// Calls `speak(offset from the scanner, normal towards it, sums)` for every sample the patch may concern: those
@@ -222,7 +320,9 @@ impl Collector {
         // Sums count towards the scanner; where there are many, along the normal.
         let turns = place == Place::Many && self.evidence.model.kind == ModelKind::Surface;
         let Evidence { samples, stations, .. } = &mut self.evidence;
+        let station = &mut stations[station];
         let scanner = header.origin - samples.reference;
+        let mut own = [Sums::default(); BLOCK];
         for (i, block) in samples.blocks.iter().enumerate() {
             let (centre, radius) = &self.balls[i];
             let offset = centre - scanner;
@@ -237,23 +337,15 @@ impl Collector {
             if i % 16 == 0 {
                 poll(interrupt)?;
             }
-            let blocks = &mut stations[station].blocks;
-            let mut sums =
-                blocks.remove(&(i as u32)).unwrap_or_else(|| vec![Sums::default(); block.len as usize].into());
-            let before = beams(&sums);
-            gather_block(samples, block, &scanner, normal, turns, &speak, &mut sums);
-            let after = beams(&sums);
-            if after > before {
-                let step = &mut stations[station].step;
-                *step = step.max(header.step);
-            }
-            if after > 0 {
-                stations[station].blocks.insert(i as u32, sums);
+            let own = &mut own[..block.len as usize];
+            own.fill(Sums::default());
+            gather_block(samples, block, &scanner, normal, turns, &speak, own);
+            if own.iter().any(|s| !s.is_empty()) {
+                station.add_block(i as u32, own);
+                station.step = station.step.max(header.step);
             }
         }
-        if stations[station].blocks.is_empty() {
-            stations.remove(station);
-        }
+        stations.retain(|s| !s.blocks.is_empty());
         self.evidence.check_size()
     }
 
@@ -278,10 +370,6 @@ impl Collector {
             ModelKind::Meyer2022 => ray_sums::reach(&self.evidence.model),
         }
     }
-}
-
-fn beams(sums: &[Sums]) -> u64 {
-    sums.iter().map(|s| u64::from(s.beams)).sum()
 }
 
 fn gather_block(

@@ -19,7 +19,7 @@ const TRIALS: u64 = 48;
 /// Samples by which a trial is judged.
 const JUDGES: usize = 200;
 /// Samples that the course is fitted to, at the most; spread evenly over the surface.
-const MAX_FITTED: usize = 20_000;
+const MAX_FITTED: usize = 4_000;
 /// With fewer samples than these a bend is not told from noise, with fewer than those no tilt.
 const MIN_BENT: usize = 40;
 const MIN_TILTED: usize = 8;

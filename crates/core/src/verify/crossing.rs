@@ -10,57 +10,72 @@ use crate::geometry::Vec3;
 use crate::scan::View;
 use crate::{Interrupt, Result, poll};
 
-/// For each beam (by slot of the view) the first crossing with the solid.
-#[derive(Debug)]
-pub struct Crossings {
-    /// Distance from the origin, metres; infinite where the beam passes by.
-    pub distance: Vec<f64>,
+/// Where one beam crosses the solid first.
+#[derive(Debug, Clone, Copy)]
+pub struct Crossing {
+    /// The beam, by slot of the view.
+    pub slot: u32,
     /// The triangle crossed.
-    pub triangle: Vec<u32>,
-    /// Slots of the beams that cross, ascending.
-    pub crossed: Vec<u32>,
-    /// Whether the crossed triangle is seen from behind.
-    from_behind: Vec<bool>,
+    pub triangle: u32,
+    /// Distance from the origin, metres.
+    pub distance: f64,
+    /// Whether the triangle is seen from behind.
+    from_behind: bool,
 }
 
-impl Crossings {
-    /// Unit normal of the triangle that a beam crosses, towards the scanner.
-    pub fn facing(&self, target: &Target, slot: usize) -> Vec3 {
-        self.turned(target, slot, self.triangle[slot])
+impl Crossing {
+    /// Unit normal of the crossed triangle, towards the scanner.
+    pub fn normal(&self, target: &Target) -> Vec3 {
+        self.turned(target, self.triangle)
     }
 
     /// Normal of another triangle, on the side from which the beam sees its own.
-    pub fn turned(&self, target: &Target, slot: usize, triangle: u32) -> Vec3 {
+    pub fn turned(&self, target: &Target, triangle: u32) -> Vec3 {
         let normal = target.triangles[triangle as usize].normal;
-        if self.from_behind[slot] { -normal } else { normal }
+        if self.from_behind { -normal } else { normal }
     }
 }
 
+/// By slot, while the nearest is being sought.
+struct Nearest {
+    distance: Vec<f64>,
+    triangle: Vec<u32>,
+    from_behind: Vec<bool>,
+}
+
 impl Target {
-    /// The first crossing of every beam, up to `reach` metres from the origin.
-    pub fn crossings(&self, view: &View, reach: f64, interrupt: Interrupt) -> Result<Crossings> {
-        let mut out = Crossings {
-            distance: vec![f64::INFINITY; view.len()],
-            triangle: vec![Triangle::NONE; view.len()],
-            crossed: Vec::new(),
-            from_behind: vec![false; view.len()],
-        };
+    /// The first crossing of every beam that crosses within `reach` metres of the origin, by slot.
+    pub fn crossings(&self, view: &View, reach: f64, interrupt: Interrupt) -> Result<Vec<Crossing>> {
         let origin = view.header.origin;
         let concerns = |centre: &Vec3, radius: f64| {
             let centre = centre - origin;
             centre.norm() - radius <= reach && view.header.cone.meets_ball(&centre, radius, 0.0)
         };
-        for run in self.chunks(concerns) {
+        let mut runs = self.chunks(concerns).peekable();
+        if runs.peek().is_none() {
+            return Ok(Vec::new());
+        }
+        let mut out = Nearest {
+            distance: vec![f64::INFINITY; view.len()],
+            triangle: vec![Triangle::NONE; view.len()],
+            from_behind: vec![false; view.len()],
+        };
+        for run in runs {
             poll(interrupt)?;
             for t in run {
                 self.cross(t, view, reach, &mut out);
             }
         }
-        out.crossed = (0..view.len() as u32).filter(|s| out.triangle[*s as usize] != Triangle::NONE).collect();
-        Ok(out)
+        let crossing = |slot: usize| Crossing {
+            slot: slot as u32,
+            triangle: out.triangle[slot],
+            distance: out.distance[slot],
+            from_behind: out.from_behind[slot],
+        };
+        Ok((0..view.len()).filter(|s| out.triangle[*s] != Triangle::NONE).map(crossing).collect())
     }
 
-    fn cross(&self, t: usize, view: &View, reach: f64, out: &mut Crossings) {
+    fn cross(&self, t: usize, view: &View, reach: f64, out: &mut Nearest) {
         let triangle = &self.triangles[t];
         let [a, b, c] = triangle.corners.map(|p| p - view.header.origin);
         let height = a.dot(&triangle.normal);
@@ -159,7 +174,9 @@ mod tests {
             let got = Target::new(solid, NEVER).unwrap().crossings(&view, f64::INFINITY, NEVER).unwrap();
             for slot in 0..view.len() {
                 let want = first_hit(solid, &origin, &view.directions[slot]);
-                assert!(got.distance[slot] == want || (got.distance[slot] - want).abs() < 1e-9);
+                let found = got.binary_search_by_key(&(slot as u32), |c| c.slot).map(|i| got[i].distance);
+                let got = found.unwrap_or(f64::INFINITY);
+                assert!(got == want || (got - want).abs() < 1e-9);
                 crossed += usize::from(want.is_finite());
             }
         }

@@ -1,6 +1,6 @@
 //! What each beam of a patch saw where it would cross the solid, laid out for the samples around.
 
-use super::crossing::Crossings;
+use super::crossing::Crossing;
 use super::foot::Foot;
 use super::model::EvidenceModel;
 use super::target::Target;
@@ -12,6 +12,10 @@ pub const WEIGHT: f64 = 65_536.0;
 /// Fixed-point unit of a deviation: 1/131072 m, 7.6 µm.
 pub const DEVIATION: f64 = 131_072.0;
 
+/// A beam met an object where it is drawn within this, or within 3 σ, metres.
+const EXPLAINED_M: f64 = 0.01;
+/// What was drawn as another object and stands farther than this in front of a face hides it, metres.
+const HIDDEN_M: f64 = 0.02;
 /// A foot on a facet that turns by more than 30° from the one aimed at is none.
 const MIN_TURN_COS: f64 = 0.866;
 
@@ -46,24 +50,28 @@ struct Encounter {
 
 impl Encounters {
     /// Classifies every beam of the view against its crossing; `None` if none has anything to say. `adjust` may take
-    /// back some of it.
+    /// back some of it; `explained` tells of every beam whether it met what is drawn of another object.
     pub fn of(
         view: &View,
         target: &Target,
-        crossings: &Crossings,
+        crossings: &[Crossing],
         model: &EvidenceModel,
+        explained: Option<&[bool]>,
         adjust: impl Fn(Seen) -> Option<Seen>,
     ) -> Option<Self> {
         let min_cos = model.max_incidence.cos();
         let mut widest: f64 = 0.0;
         let mut all = Vec::new();
-        for &slot in &crossings.crossed {
-            let slot = slot as usize;
-            let aimed = view.directions[slot] * crossings.distance[slot];
-            let Some(mut e) = encounter(view, target, crossings, slot, min_cos, model) else { continue };
+        for crossing in crossings {
+            let slot = crossing.slot as usize;
+            let Some(mut e) = encounter(view, target, crossing, min_cos, model) else { continue };
+            let hidden = explained.is_some_and(|x| x[slot]);
+            if hidden && matches!(e.seen, Seen::Surface(d) if f64::from(d) > HIDDEN_M * DEVIATION) {
+                continue;
+            }
             let Some(seen) = adjust(e.seen) else { continue };
             e.seen = seen;
-            widest = widest.max((e.place - aimed).norm());
+            widest = widest.max((e.place - view.directions[slot] * crossing.distance).norm());
             all.push(e);
         }
         (!all.is_empty()).then(|| Self::laid_out(&all, f64::from(view.header.step), widest))
@@ -97,17 +105,27 @@ impl Encounters {
     }
 }
 
+/// Marks the beams that met the solid where it is drawn.
+pub fn explain(view: &View, target: &Target, crossings: &[Crossing], model: &EvidenceModel, explained: &mut [bool]) {
+    let noise = model.sigma_range.hypot(model.sigma_station);
+    let tolerance = EXPLAINED_M.max(3.0 * noise);
+    for crossing in crossings {
+        let slot = crossing.slot as usize;
+        let cos = -view.directions[slot].dot(&crossing.normal(target));
+        explained[slot] |= ((crossing.distance - view.ranges[slot]) * cos).abs() <= tolerance;
+    }
+}
+
 fn encounter(
     view: &View,
     target: &Target,
-    crossings: &Crossings,
-    slot: usize,
+    crossing: &Crossing,
     min_cos: f64,
     model: &EvidenceModel,
 ) -> Option<Encounter> {
-    let (t, range, direction) = (crossings.distance[slot], view.ranges[slot], &view.directions[slot]);
-    let aimed_at = crossings.triangle[slot];
-    let normal = crossings.facing(target, slot);
+    let slot = crossing.slot as usize;
+    let (t, range, direction) = (crossing.distance, view.ranges[slot], &view.directions[slot]);
+    let normal = crossing.normal(target);
     let cos = -direction.dot(&normal);
     if cos < min_cos {
         return None;
@@ -130,8 +148,8 @@ fn encounter(
     let fixed = |d: f64| Seen::Surface((d * DEVIATION).round() as i32);
     let origin = view.header.origin;
     let met = direction * range + origin;
-    if let Some(Foot { triangle, place }) = target.foot(aimed_at, &met) {
-        let there = crossings.turned(target, slot, triangle);
+    if let Some(Foot { triangle, place }) = target.foot(crossing.triangle, &met) {
+        let there = crossing.turned(target, triangle);
         // Moved by as much as it is round, its nearest places crowd on few facets and leave the others unheard.
         let near = there.dot(&normal) >= MIN_TURN_COS;
         if let (true, Some(e)) = (near, at(place - origin, there, fixed((met - place).dot(&there)))) {

@@ -75,14 +75,19 @@ impl Station {
         self.step = self.step.max(other.step);
         for (round, (block, theirs)) in other.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
-            match self.blocks.get_mut(block) {
-                Some(mine) => mine.iter_mut().zip(theirs.iter()).for_each(|(a, b)| a.add(b)),
-                None => {
-                    self.blocks.insert(*block, theirs.clone());
-                }
-            }
+            self.add_block(*block, theirs);
         }
         Ok(())
+    }
+
+    /// Adds the sums of a block of samples.
+    pub(super) fn add_block(&mut self, block: u32, theirs: &[Sums]) {
+        match self.blocks.get_mut(&block) {
+            Some(mine) => mine.iter_mut().zip(theirs).for_each(|(a, b)| a.add(b)),
+            None => {
+                self.blocks.insert(block, theirs.into());
+            }
+        }
     }
 }
 
@@ -146,6 +151,12 @@ impl Evidence {
     /// The same samples and parameters; no station has spoken.
     pub fn without_stations(&self) -> Self {
         Self { samples: self.samples.clone(), stations: Vec::new(), ..*self }
+    }
+
+    /// Bytes that samples and sums take.
+    pub(super) fn memory(&self) -> usize {
+        let blocks = self.stations.iter().map(|s| s.blocks.len()).sum::<usize>();
+        12 * self.samples.len() + blocks * BLOCK * size_of::<Sums>()
     }
 
     /// Fails where stations and samples together are more than a value may hold.

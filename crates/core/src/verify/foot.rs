@@ -81,7 +81,7 @@ mod tests {
             (0..target.triangles.len() as u32).filter(|t| target.triangles[*t as usize].normal.z.abs() < 0.5).collect();
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(5);
         for _ in 0..500 {
-            let angle: f64 = rng.random_range(0.0..6.28);
+            let angle: f64 = rng.random_range(0.0..std::f64::consts::TAU);
             let p = Vec3::new(angle.cos(), angle.sin(), 0.0) * rng.random_range(0.15..0.3)
                 + Vec3::new(0.0, 0.0, rng.random_range(0.2..2.8));
             let start = mantle

@@ -2,7 +2,7 @@
 //!
 //! [`EvidenceModel`] holds the parameters. [`Samples`] are spread over the solid's faces. A [`Collector`] takes
 //! scan patches one by one: it finds where each beam would cross the solid, and adds what that beam saw there to
-//! the sums of the samples around ([`Sums`]). The result is [`Evidence`], a value that can be stored, added up
+//! the sums of the samples around ([`Sums`]). A [`Verifier`] does so for many solids at once. The result is [`Evidence`], a value that can be stored, added up
 //! and asked: per sample for its belief, per object for a [`Summary`].
 
 mod belief;
@@ -27,9 +27,10 @@ mod sums;
 mod surface_points;
 mod surface_sums;
 mod target;
+mod verifier;
 
 pub use belief::SampleBelief;
-pub use collect::Collector;
+pub use collect::{Collector, Unpacked};
 pub use evidence::{Evidence, EvidenceHeader, Place, Station};
 pub use face::FaceReport;
 pub use model::{EvidenceModel, ModelKind};
@@ -38,3 +39,4 @@ pub use shift::Shift;
 pub use summary::{Shares, Summary, Verdict, VerdictRule};
 pub use sums::Sums;
 pub use surface_points::SurfacePoints;
+pub use verifier::{Threads, Verifier};

@@ -22,13 +22,22 @@ const ROUNDS: usize = 12;
 /// A point is compared with drawn faces that look its way (cos 45°).
 const MIN_TURN_COS: f64 = 0.7;
 
+/// A point of the built surface.
+#[derive(Debug)]
+struct Point {
+    position: Vec3,
+    /// The face that the beam was aimed at.
+    face: u32,
+    /// The station, which has all of its deviation.
+    station: [(usize, f64); 1],
+}
+
 type Drawn = GeomWithData<[f64; 3], u32>;
 
 /// Points of the built surface near the drawn one, and the drawn samples (local coordinates of the evidence).
 #[derive(Debug, Default)]
 pub struct SurfacePoints {
-    /// Position, the face that the beam was aimed at, and the station, which has all of its deviation.
-    built: Vec<(Vec3, u32, [(usize, f64); 1])>,
+    built: Vec<Point>,
     drawn: Vec<Drawn>,
     normals: Vec<Vec3>,
 }
@@ -61,7 +70,8 @@ impl SurfacePoints {
                             Place::Many | Place::Unknown => -normal,
                         };
                         let cos = direction.dot(normal).abs().max(0.1);
-                        out.built.push((local - direction * (r.deviation / cos), block.face, [(*number, 1.0)]));
+                        let position = local - direction * (r.deviation / cos);
+                        out.built.push(Point { position, face: block.face, station: [(*number, 1.0)] });
                     }
                 }
             }
@@ -77,15 +87,15 @@ impl SurfacePoints {
         }
         let tree = RTree::bulk_load(self.drawn.clone());
         let mut per_face = vec![0f64; self.normals.len()];
-        self.built.iter().for_each(|(_, f, _)| per_face[*f as usize] += 1.0);
+        self.built.iter().for_each(|p| per_face[p.face as usize] += 1.0);
         let mut shift = start;
         let mut solution = None;
         for _ in 0..ROUNDS {
             let votes: Vec<Vote> = self
                 .built
                 .iter()
-                .filter_map(|(p, face, stations)| {
-                    let moved = p - shift;
+                .filter_map(|Point { position, face, station }| {
+                    let moved = position - shift;
                     let looks = &self.normals[*face as usize];
                     let near = tree.nearest_neighbor_iter(&moved.into()).take(16);
                     let mut fitting = near.filter(|d| self.normals[d.data as usize].dot(looks) >= MIN_TURN_COS);
@@ -95,7 +105,7 @@ impl SurfacePoints {
                     // A face's points together weigh as one vote of 0.3 mm.
                     let sd = 3e-4 * per_face[*face as usize].sqrt();
                     let offset = off + normal.dot(&shift);
-                    Some(Vote { normal, offset, weight_sd: sd, random_sd: POINT_SD_M, stations })
+                    Some(Vote { normal, offset, weight_sd: sd, random_sd: POINT_SD_M, stations: station })
                 })
                 .collect();
             let next = Solution::of(&votes, projector)?;

@@ -1,0 +1,93 @@
+//! Many objects verified together: a patch is unpacked once for all objects that it concerns.
+
+use rayon::prelude::*;
+
+use super::collect::{Aim, Collector, Unpacked};
+use super::evidence::Evidence;
+use super::model::EvidenceModel;
+use crate::geometry::Solid;
+use crate::scan::Header;
+use crate::{Interrupt, Result, poll};
+
+/// Where the work is done.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Threads {
+    /// On the caller's thread.
+    Own,
+    /// On those of the rayon pool that the caller has installed.
+    Pool,
+}
+
+impl Threads {
+    /// Calls `work` for every item, in any order; the first error in the items' order is returned.
+    pub fn for_each<T: Send>(self, items: &mut [T], work: impl Fn(&mut T) -> Result<()> + Sync) -> Result<()> {
+        match self {
+            Self::Own => items.iter_mut().try_for_each(work),
+            Self::Pool => items.par_iter_mut().with_max_len(1).map(&work).collect::<Vec<_>>().into_iter().collect(),
+        }
+    }
+
+    /// `work` of every item, in the items' order.
+    pub fn map<T: Sync, U: Send>(self, items: &[T], work: impl Fn(&T) -> Result<U> + Sync) -> Result<Vec<U>> {
+        match self {
+            Self::Own => items.iter().map(work).collect(),
+            Self::Pool => items.par_iter().with_max_len(1).map(&work).collect::<Vec<_>>().into_iter().collect(),
+        }
+    }
+}
+
+/// Evidence about many solids in the making.
+#[derive(Debug)]
+pub struct Verifier {
+    collectors: Vec<Collector>,
+    threads: Threads,
+}
+
+impl Verifier {
+    /// Spreads samples over every solid.
+    pub fn new(objects: &[(Solid, EvidenceModel)], threads: Threads, interrupt: Interrupt) -> Result<Self> {
+        let collectors = threads.map(objects, |(solid, model)| Collector::new(solid, *model, interrupt))?;
+        Ok(Self { collectors, threads })
+    }
+
+    /// Whether a patch can say anything of any object, by its header alone.
+    pub fn concerns(&self, header: &Header) -> bool {
+        self.collectors.iter().any(|c| c.concerns(header))
+    }
+
+    /// Adds what a batch of packed patches says; all are unpacked at once. Objects know each other here: a beam that
+    /// met one of them where it is drawn does not displace another one's face behind it (cladding, a wall's end). The evidence is the same to the last bit
+    /// whatever the batches and threads: it is made of integer sums, and each object adds up its own.
+    pub fn absorb<P: AsRef<[u8]> + Sync>(&mut self, patches: &[P], interrupt: Interrupt) -> Result<()> {
+        let unpacked = self.threads.map(patches, |p| {
+            poll(interrupt)?;
+            Unpacked::of(p.as_ref())
+        })?;
+        let aims: Vec<Vec<Aim>> = self.threads.map(&self.collectors, |collector| {
+            unpacked.iter().map(|patch| collector.aim(patch, interrupt)).collect::<Result<_>>()
+        })?;
+        let numbers: Vec<usize> = (0..unpacked.len()).collect();
+        let explained = self.threads.map(&numbers, |&i| {
+            let mut explained = vec![false; unpacked[i].aimed_beams()];
+            for (collector, aims) in self.collectors.iter().zip(&aims) {
+                collector.explain(&unpacked[i], &aims[i], &mut explained);
+            }
+            Ok(explained)
+        })?;
+        let mut work: Vec<(&mut Collector, &Vec<Aim>)> = self.collectors.iter_mut().zip(&aims).collect();
+        self.threads.for_each(&mut work, |(collector, aims)| {
+            let mut patches = unpacked.iter().zip(aims.iter()).zip(&explained);
+            patches.try_for_each(|((patch, aim), x)| collector.absorb_aimed(patch, aim, Some(x), interrupt))
+        })
+    }
+
+    /// Bytes that samples and sums take.
+    pub fn memory(&self) -> usize {
+        self.collectors.iter().map(|c| c.evidence().memory()).sum()
+    }
+
+    /// The evidence about each solid, in their order.
+    pub fn into_evidence(self) -> Vec<Evidence> {
+        self.collectors.into_iter().map(Collector::into_evidence).collect()
+    }
+}

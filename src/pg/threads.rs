@@ -1,0 +1,65 @@
+//! Threads beside PostgreSQL's own.
+//!
+//! A backend is a process of one thread. Others may compute in it as long as they call nothing of PostgreSQL's and no
+//! signal is delivered to them: its handlers belong on the main thread.
+
+use asbuilt_core::verify::Threads;
+use asbuilt_core::{Error, Result};
+use pgrx::pg_sys;
+
+use super::interrupt;
+
+/// The threads that a call may use: as many as a parallel plan would have processes.
+#[derive(Debug)]
+pub struct Crew {
+    /// `None`: the main thread alone.
+    pool: Option<rayon::ThreadPool>,
+}
+
+impl Crew {
+    /// One thread more than `max_parallel_workers_per_gather`, but no more than there are cores.
+    pub fn gather() -> Self {
+        let workers = unsafe { pg_sys::max_parallel_workers_per_gather }.max(0) as usize;
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let count = (workers + 1).min(cores.max(2));
+        // Where the system has no threads to give, the work is done without them.
+        let pool = (count > 1).then(|| with_signals_blocked(|| rayon::ThreadPoolBuilder::new().num_threads(count).build()));
+        Self { pool: pool.and_then(std::result::Result::ok) }
+    }
+
+    /// What [`asbuilt_core::verify::Verifier`] is to be told.
+    pub fn threads(&self) -> Threads {
+        if self.pool.is_some() { Threads::Pool } else { Threads::Own }
+    }
+
+    /// Runs `work` on the crew. It is given what to ask whether to stop; a cancel then raises its error from here.
+    pub fn run<T: Send>(&self, work: impl FnOnce(asbuilt_core::Interrupt) -> Result<T> + Send) -> Result<T> {
+        let Some(pool) = &self.pool else { return work(&interrupt) };
+        let outcome = pool.install(|| work(&cancelled));
+        if matches!(outcome, Err(Error::Interrupted)) {
+            interrupt();
+        }
+        outcome
+    }
+}
+
+/// Whether this query is to end: read by other threads, which must not serve interrupts themselves.
+fn cancelled() -> bool {
+    unsafe {
+        std::ptr::read_volatile(&raw const pg_sys::QueryCancelPending) != 0
+            || std::ptr::read_volatile(&raw const pg_sys::ProcDiePending) != 0
+    }
+}
+
+/// Threads that start meanwhile inherit the mask: no signal is ever delivered to them.
+fn with_signals_blocked<T>(start: impl FnOnce() -> T) -> T {
+    unsafe {
+        let mut all = std::mem::zeroed();
+        let mut before = std::mem::zeroed();
+        libc::sigfillset(&mut all);
+        libc::pthread_sigmask(libc::SIG_SETMASK, &all, &mut before);
+        let out = start();
+        libc::pthread_sigmask(libc::SIG_SETMASK, &before, std::ptr::null_mut());
+        out
+    }
+}

@@ -1,0 +1,110 @@
+//! `ab_verify_table(objects, scans, …)`: every patch unpacked once for all objects.
+
+use asbuilt_core::geometry::Solid;
+use asbuilt_core::verify::{Evidence, EvidenceModel, Summary, Verifier, VerdictRule};
+use asbuilt_core::{Error, Result};
+
+use super::evidence_model::{model_arg, parse};
+use super::summary::{row, rule};
+use crate::pg::{Args, Cell, Column, Crew, Field, Query, Ret, Rows, for_each_batch, sql_functions};
+use crate::settings;
+
+/// Patches that are unpacked at once: some ten megabytes.
+const BATCH: i64 = 64;
+/// Objects whose verdicts are made at once.
+const VERDICTS: usize = 32;
+
+/// Objects as the query gave them; without a solid there is nothing to verify.
+#[derive(Default)]
+struct Objects {
+    /// Id, and whether it has a solid.
+    rows: Vec<(Cell, bool)>,
+    /// Those that have, in order.
+    solids: Vec<(Solid, EvidenceModel)>,
+}
+
+fn objects(args: &Args, model: &EvidenceModel, crew: &Crew) -> Result<Objects> {
+    let query = Query {
+        what: "the query of objects",
+        text: &args.text(0),
+        columns: &[Column::Integer, Column::Varlena("ab_solid"), Column::Fixed("ab_evidence_model", EvidenceModel::LEN)],
+        optional: 1,
+        expected: "a SELECT of an integer id, an ab_solid and perhaps an ab_evidence_model",
+    };
+    let mut out = Objects::default();
+    for_each_batch(args, query, 256, |mut rows| {
+        out.rows.extend(rows.iter().map(|r| (r[0].clone(), r[1].bytes().is_some())));
+        rows.retain(|r| r[1].bytes().is_some());
+        out.solids.extend(crew.run(|interrupt| {
+            crew.threads().map(&rows, |row| {
+                let solid = Solid::from_stored(row[1].bytes().unwrap_or_default(), interrupt)?;
+                let own = row.get(2).and_then(Cell::bytes).map(parse).transpose()?;
+                Ok((solid, own.unwrap_or(*model)))
+            })
+        })?);
+        Ok(())
+    })?;
+    Ok(out)
+}
+
+fn absorb_scans(args: &Args, verifier: &mut Verifier, crew: &Crew) -> Result<()> {
+    let query = Query {
+        what: "the query of scans",
+        text: &args.text(1),
+        columns: &[Column::Varlena("ab_scan")],
+        optional: 0,
+        expected: "a SELECT of one column of ab_scan",
+    };
+    let limit = settings::max_evidence_memory();
+    for_each_batch(args, query, BATCH, |rows| {
+        let patches: Vec<&[u8]> = rows.iter().filter_map(|r| r[0].bytes()).collect();
+        crew.run(|interrupt| verifier.absorb(&patches, interrupt))?;
+        let memory = verifier.memory();
+        if memory > limit {
+            let what = "the evidence about all objects together";
+            return Err(Error::Limit { what, value: format!("{} MB", memory >> 20), limit: format!("{} MB (asbuilt.max_evidence_memory)", limit >> 20) });
+        }
+        Ok(())
+    })
+}
+
+fn verdict(e: &Evidence, rule: &VerdictRule, keep: bool, interrupt: asbuilt_core::Interrupt) -> Result<(Summary, Option<Vec<u8>>)> {
+    let bytes = keep.then(|| e.to_bytes(interrupt)).transpose()?;
+    Ok((e.summary(e.model(), rule, interrupt)?, bytes))
+}
+
+sql_functions! {
+    /// ab_verify_table(objects, scans, model, keep_evidence, min_confirmed, min_coverage, max_conflict)
+    fn ab_verify_table(args) {
+        let mut out = Rows::new(args)?;
+        if args.is_null(0) || args.is_null(1) {
+            return Ok(Ret::Null);
+        }
+        let (model, rule) = (model_arg(args, 2)?, rule(args, 4)?);
+        let keep = args.is_null(3) || args.bool(3);
+        let crew = Crew::gather();
+        let objects = objects(args, &model, &crew)?;
+        let mut verifier = crew.run(|interrupt| Verifier::new(&objects.solids, crew.threads(), interrupt))?;
+        absorb_scans(args, &mut verifier, &crew)?;
+        let mut evidence = verifier.into_evidence();
+        for rows in objects.rows.chunks(VERDICTS) {
+            let due: Vec<Evidence> = evidence.drain(..rows.iter().filter(|r| r.1).count()).collect();
+            let mut verdicts = crew.run(|interrupt| {
+                crew.threads().map(&due, |e| verdict(e, &rule, keep, interrupt))
+            })?.into_iter();
+            for (id, has_solid) in rows {
+                let id = if let Cell::Integer(id) = id { Field::I64(*id) } else { Field::Null };
+                let mut fields = vec![id];
+                match has_solid.then(|| verdicts.next()).flatten() {
+                    Some((summary, bytes)) => {
+                        fields.push(Field::or_null(bytes, Field::Bytes));
+                        fields.extend(row(&summary));
+                    }
+                    None => fields.resize(out.width(), Field::Null),
+                }
+                out.push(&fields);
+            }
+        }
+        Ok(Ret::Null)
+    }
+}
