@@ -276,6 +276,22 @@ CREATE FUNCTION ab_verify_table(
     AS 'MODULE_PATHNAME', 'ab_verify_table' LANGUAGE c STABLE PARALLEL RESTRICTED COST 100000000 ROWS 1000;
 COMMENT ON FUNCTION ab_verify_table(text, text, ab_evidence_model, boolean, float8, float8, float8) IS 'Evidence and verdict of every object of one query (id, solid, perhaps its own ab_evidence_model) from the patches of another; every patch is unpacked once for all objects. Uses as many threads as a parallel plan would have processes (max_parallel_workers_per_gather + 1)';
 
+CREATE FUNCTION ab_explain(
+    e ab_evidence, loa ab_loa DEFAULT NULL, confidence float8 DEFAULT NULL,
+    min_confirmed float8 DEFAULT NULL, min_coverage float8 DEFAULT NULL, max_conflict float8 DEFAULT NULL) RETURNS text
+    AS 'MODULE_PATHNAME', 'ab_explain' LANGUAGE c STABLE PARALLEL SAFE COST 10000000;
+COMMENT ON FUNCTION ab_explain(ab_evidence, ab_loa, float8, float8, float8, float8) IS 'Why the verdict is what it is: what was seen, what that says, which threshold decided, why no finer level of accuracy holds';
+
+CREATE FUNCTION ab_sensor(
+    sensor text DEFAULT NULL,
+    OUT name text, OUT sigma_range float8, OUT sigma_angle float8, OUT sigma_station float8, OUT max_range float8, OUT description text)
+    RETURNS SETOF record AS 'MODULE_PATHNAME', 'ab_sensor' LANGUAGE c IMMUTABLE PARALLEL SAFE ROWS 6;
+COMMENT ON FUNCTION ab_sensor(text) IS 'Standard uncertainties of a kind of scanner, of the order that field tests by ISO 17123-9 find: phase, hybrid, pulse, compact, handheld or tablet; all without a name. Metres and radians';
+
+CREATE FUNCTION ab_with_sensor(model ab_evidence_model, sensor text) RETURNS ab_evidence_model
+    AS 'MODULE_PATHNAME', 'ab_with_sensor' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_with_sensor(ab_evidence_model, text) IS 'The same parameters with a sensor''s standard uncertainties: sigma_range, sigma_angle and sigma_station of ab_sensor';
+
 -- Voxels.
 
 CREATE TYPE ab_grid;

@@ -1,10 +1,11 @@
 //! `ab_evidence_model`: the parameters, in core's byte form; `name=value` words as text.
 
 use asbuilt_core::Result;
+use asbuilt_core::evidence::SensorPreset;
 use asbuilt_core::num::bytes::Reader;
 use asbuilt_core::verify::{EvidenceModel, ModelKind};
 
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, Field, Ret, Rows, sql_functions};
 
 const TY: &str = "ab_evidence_model";
 
@@ -53,6 +54,27 @@ sql_functions! {
 
     fn ab_evidence_model_send(args) {
         Ok(Ret::Bytes(args.fixed::<{ EvidenceModel::LEN }>(0).to_vec()))
+    }
+
+    /// ab_sensor(name): one preset, or all without a name.
+    fn ab_sensor(args) {
+        let mut rows = Rows::new(args)?;
+        let all = if args.is_null(0) { SensorPreset::ALL.to_vec() } else { vec![SensorPreset::named(&args.text(0))?] };
+        for p in all {
+            let numbers = [p.sigma_range, p.sigma_angle, p.sigma_station, p.max_range].map(Field::F64);
+            let mut row = vec![Field::Text(p.name.into())];
+            row.extend(numbers);
+            row.push(Field::Text(p.description.into()));
+            rows.push(&row);
+        }
+        Ok(Ret::Null)
+    }
+
+    /// ab_with_sensor(model, name)
+    fn ab_with_sensor(args) {
+        let p = SensorPreset::named(&args.text(1))?;
+        let (sigma_range, sigma_angle, sigma_station) = (p.sigma_range, p.sigma_angle, p.sigma_station);
+        ret(&EvidenceModel { sigma_range, sigma_angle, sigma_station, ..model_arg(args, 0)? })
     }
 
     fn ab_evidence_model_make(args) { ret(&from_args(args)?) }

@@ -79,6 +79,15 @@ sql_functions! {
         Ok(Ret::text(verdict.name()))
     }
 
+    /// ab_explain(e, loa, confidence, min_confirmed, min_coverage, max_conflict)
+    fn ab_explain(args) {
+        if args.is_null(0) {
+            return Ok(Ret::Null);
+        }
+        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
+        Ok(Ret::text(&e.explain(&question(args, &e, 1)?, &rule(args, 3)?, &interrupt)?))
+    }
+
     /// The rigid offset as numbers: vector, standard deviations, undetermined directions.
     fn ab_shift(args) {
         if args.is_null(0) {

@@ -113,8 +113,8 @@ fn real_room() {
         v.expect(&[(object, "confirmed")]);
         assert!(v.number(object, "confirmed") >= 0.6, "{object}: {}", v.number(object, "confirmed"));
     }
-    // The ceiling hangs 16 mm low: it is no LOA30 (15 mm) ceiling, though the half of it that is nearer is confirmed.
-    assert_eq!(v.text("ceiling", "best_loa"), "LOA20");
+    // It sags towards one corner: most of it keeps 50 mm, but not the 95 % that LOA20 asks for.
+    assert_eq!(v.text("ceiling", "best_loa"), "LOA10");
     assert_eq!(v.text("ceiling", "loa"), "LOA20");
     v.expect(&[("partition-planned", "absent"), ("column-planned", "absent"), ("store-next-door", "unobserved")]);
     // The published ray model runs on it too.

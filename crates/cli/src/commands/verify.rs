@@ -1,7 +1,7 @@
 //! `asbuilt verify`: the query of the tour, printed.
 
 use anyhow::Result;
-use asbuilt_core::evidence::Loa;
+use asbuilt_core::evidence::{Loa, SensorPreset};
 use postgres::types::ToSql;
 use serde_json::Value;
 
@@ -31,6 +31,9 @@ pub struct VerifyArgs {
     /// Distance between samples on the objects, metres
     #[arg(long, default_value_t = 0.02, value_name = "M")]
     spacing: f64,
+    /// Kind of scanner, for its standard uncertainties: phase, hybrid, pulse, compact, handheld or tablet
+    #[arg(long, value_name = "NAME")]
+    sensor: Option<String>,
     /// Standard deviation of a range, metres
     #[arg(long, value_name = "M")]
     sigma_range: Option<f64>,
@@ -53,8 +56,9 @@ SELECT o.name, o.global_id, o.ifc_class, o.storey, coalesce($2, o.loa::text), s.
 FROM   building_object o
 JOIN   ab_verify_table(
            format('SELECT id, solid, ab_evidence_model(loa => coalesce(%L::ab_loa, loa), model => %L, spacing => %L,
-                          sigma_range => %L, sigma_station => %L, confidence => %L)
-                   FROM building_object WHERE id = ANY(%L)', $2::text, $3::text, $4::float8, $5::float8, $6::float8, $7::float8, $8::bigint[]),
+                          sigma_range => %L, sigma_angle => %L, sigma_station => %L, confidence => %L)
+                   FROM building_object WHERE id = ANY(%L)', $2::text, $3::text, $4::float8, $5::float8, $9::float8, $6::float8, $7::float8,
+                  $8::bigint[]),
            format('SELECT patch FROM scan WHERE epoch = %s', $1::int),
            keep_evidence => false) s ON s.id = o.id
 ORDER  BY o.id";
@@ -71,19 +75,24 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     tables::check_loaded(&mut client)?;
     tables::check_epoch(&mut client, args.epoch)?;
     let loa = args.loa.map(Loa::name);
+    let preset = args.sensor.as_deref().map(SensorPreset::named).transpose()?;
+    let sigma_range = args.sigma_range.or(preset.map(|p| p.sigma_range));
+    let sigma_station = args.sigma_station.or(preset.map(|p| p.sigma_station));
+    let sigma_angle = preset.map(|p| p.sigma_angle);
     let bar = spinner("verifying");
     let mut rows = Vec::new();
     for batch in client.query(BATCHES, &[&args.spacing]).map_err(explain)? {
         let ids: Vec<i64> = batch.get(0);
-        let parameters: [&(dyn ToSql + Sync); 8] = [
+        let parameters: [&(dyn ToSql + Sync); 9] = [
             &args.epoch,
             &loa,
             &args.model,
             &args.spacing,
-            &args.sigma_range,
-            &args.sigma_station,
+            &sigma_range,
+            &sigma_station,
             &args.confidence,
             &ids,
+            &sigma_angle,
         ];
         rows.extend(client.query(VERDICTS, &parameters).map_err(explain)?);
     }

@@ -146,9 +146,9 @@ impl BuiltSurface {
         within(self.quantile, self.sd, tolerance)
     }
 
-    /// Whether most of it more likely keeps ±`tolerance` metres than not.
+    /// Whether most of it more likely keeps ±`tolerance` metres than not, by measurements that can tell.
     pub fn is_known_to_hold(&self, tolerance: f64) -> bool {
-        self.coherent && within(self.bulk, self.sd, tolerance) >= 0.5
+        self.coherent && 1.96 * self.sd <= tolerance && within(self.bulk, self.sd, tolerance) >= 0.5
     }
 }
 

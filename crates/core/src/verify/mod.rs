@@ -13,6 +13,7 @@ mod crossing;
 mod encounter;
 mod evidence;
 mod evidence_bytes;
+mod explain;
 mod face;
 mod foot;
 mod model;

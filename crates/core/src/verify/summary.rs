@@ -105,20 +105,21 @@ pub struct Shares {
     pub conflict: f64,
 }
 
-struct Totals {
-    samples: u64,
-    seen: u64,
-    confirmed: u64,
-    refuted: u64,
-    pierced: u64,
-    own: u64,
-    beyond: u64,
+/// The faces' counts added up.
+pub(super) struct Totals {
+    pub samples: u64,
+    pub seen: u64,
+    pub confirmed: u64,
+    pub refuted: u64,
+    pub pierced: u64,
+    pub own: u64,
+    pub beyond: u64,
     surface: u64,
-    conflict: f64,
+    pub conflict: f64,
 }
 
 impl Totals {
-    fn of(faces: &[FaceReport]) -> Self {
+    pub fn of(faces: &[FaceReport]) -> Self {
         let sum = |f: fn(&FaceReport) -> u64| faces.iter().map(f).sum();
         Self {
             samples: sum(|f| f.samples),
