@@ -5,11 +5,13 @@
 //! * [`stations`]: from points read to packed patches;
 //! * [`database`]: connection, tables, COPY;
 //! * [`change`]: two epochs compared in voxels;
+//! * [`forecast`]: what a planned survey would prove;
 //! * [`output`]: tables, CSV, JSON, progress.
 
 mod change;
 mod commands;
 mod database;
+mod forecast;
 mod output;
 mod read;
 mod stations;
@@ -49,6 +51,8 @@ enum Command {
     Verify(commands::verify::VerifyArgs),
     /// What is new, what has gone, and in which object
     Change(commands::change::ChangeArgs),
+    /// What a planned survey would prove, and where one more station helps most
+    Forecast(commands::forecast::ForecastArgs),
     /// Simulate a laser scan of a model, with what was built otherwise
     Simulate(commands::simulate::SimulateArgs),
     /// Mesh an IFC file and write the products to standard output (the loader's child process)
@@ -61,6 +65,7 @@ fn main() {
         Command::Load(args) => commands::load::run(&args),
         Command::Verify(args) => commands::verify::run(&args),
         Command::Change(args) => commands::change::run(&args),
+        Command::Forecast(args) => commands::forecast::run(&args),
         Command::Simulate(args) => commands::simulate::run(&args),
         Command::MeshIfc(args) => commands::mesh_ifc::run(&args),
     };

@@ -1,6 +1,7 @@
 //! What the user calls, one file each.
 
 pub mod change;
+pub mod forecast;
 pub mod load;
 pub mod mesh_ifc;
 pub mod simulate;

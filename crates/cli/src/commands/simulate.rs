@@ -152,7 +152,8 @@ fn scanner(args: &SimulateArgs) -> Result<Scanner> {
     })
 }
 
-fn read_stations(path: &Path) -> Result<Vec<Vec3>> {
+/// Scanner positions, one a line.
+pub fn read_stations(path: &Path) -> Result<Vec<Vec3>> {
     let text = std::fs::read_to_string(path).with_context(|| format!("{}: cannot read it", path.display()))?;
     let mut out = Vec::new();
     for (i, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {

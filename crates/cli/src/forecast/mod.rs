@@ -1,0 +1,4 @@
+//! What a survey would prove, before anyone scans.
+
+pub mod next;
+pub mod room;
