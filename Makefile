@@ -13,7 +13,7 @@ MODEL ?=
 SCANS ?=
 LOA ?=
 
-.PHONY: demo demo-stop test installcheck install bench lint docs setup setup-test clean
+.PHONY: demo demo-stop test installcheck install bench truth lint docs setup setup-test clean
 
 demo: setup
 	@scripts/demo.sh "$(MODEL)" "$(SCANS)" "$(LOA)"
@@ -34,6 +34,10 @@ install: setup
 
 bench: setup-test
 	scripts/bench.sh
+
+# Verdicts, beliefs and intervals against simulated buildings whose truth is known: writes docs/truth.md and its pictures.
+truth: setup
+	cargo run --release --quiet -p asbuilt-truth -- --report docs/truth.md
 
 lint:
 	cargo fmt --all --check

@@ -4,6 +4,9 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 echo "test: core"
 cargo test --quiet -p asbuilt-core
+echo "test: simulator and truth (short form)"
+cargo test --quiet --release -p asbuilt-simulate -p asbuilt-truth
+cargo run --quiet --release -p asbuilt-truth -- --short
 echo "test: program"
 cargo test --quiet --release -p asbuilt-cli
 scripts/install.sh

@@ -126,3 +126,7 @@ COMMENT ON FUNCTION ab_sensor(text) IS 'Standard uncertainties of a kind of scan
 CREATE FUNCTION ab_with_sensor(model ab_evidence_model, sensor text) RETURNS ab_evidence_model
     AS 'MODULE_PATHNAME', 'ab_with_sensor' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_with_sensor(ab_evidence_model, text) IS 'The same parameters with a sensor''s standard uncertainties: sigma_range, sigma_angle and sigma_station of ab_sensor';
+
+CREATE FUNCTION ab_with_intensity(model ab_evidence_model, reference integer, exponent float8 DEFAULT 1) RETURNS ab_evidence_model
+    AS 'MODULE_PATHNAME', 'ab_with_intensity' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_with_intensity(ab_evidence_model, integer, float8) IS 'The same parameters with range noise by intensity: sigma_range holds from the reference on (the sensor''s own unit), below it the variance grows by (reference/intensity)^exponent. For patches with intensities; exponent 1 is shot noise';

@@ -3,17 +3,25 @@
 //! A backend is a process of one thread. Others may compute in it as long as they call nothing of PostgreSQL's and no
 //! signal is delivered to them: its handlers belong on the main thread.
 
+use std::cell::RefCell;
+use std::sync::Arc;
+
 use asbuilt_core::verify::Threads;
 use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 
 use super::interrupt;
 
+thread_local! {
+    /// The backend's pool, asleep between calls: made anew for every call, pools leave memory behind.
+    static POOL: RefCell<Option<Arc<rayon::ThreadPool>>> = const { RefCell::new(None) };
+}
+
 /// The threads that a call may use: as many as a parallel plan would have processes.
 #[derive(Debug)]
 pub struct Crew {
     /// `None`: the main thread alone.
-    pool: Option<rayon::ThreadPool>,
+    pool: Option<Arc<rayon::ThreadPool>>,
 }
 
 impl Crew {
@@ -22,9 +30,7 @@ impl Crew {
         let workers = unsafe { pg_sys::max_parallel_workers_per_gather }.max(0) as usize;
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let count = (workers + 1).min(cores.max(2));
-        // Where the system has no threads to give, the work is done without them.
-        let pool = (count > 1).then(|| with_signals_blocked(|| rayon::ThreadPoolBuilder::new().num_threads(count).build()));
-        Self { pool: pool.and_then(std::result::Result::ok) }
+        Self { pool: (count > 1).then(|| pool_of(count)).flatten() }
     }
 
     /// What [`asbuilt_core::verify::Verifier`] is to be told.
@@ -41,6 +47,17 @@ impl Crew {
         }
         outcome
     }
+}
+
+/// The backend's pool with this many threads. Where the system has none to give, the work is done without.
+fn pool_of(count: usize) -> Option<Arc<rayon::ThreadPool>> {
+    POOL.with_borrow_mut(|pool| {
+        if pool.as_ref().is_none_or(|p| p.current_num_threads() != count) {
+            let build = || rayon::ThreadPoolBuilder::new().num_threads(count).build();
+            *pool = with_signals_blocked(build).ok().map(Arc::new);
+        }
+        pool.clone()
+    })
 }
 
 /// Whether this query is to end: read by other threads, which must not serve interrupts themselves.

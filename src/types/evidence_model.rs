@@ -3,7 +3,7 @@
 use asbuilt_core::Result;
 use asbuilt_core::evidence::SensorPreset;
 use asbuilt_core::num::bytes::Reader;
-use asbuilt_core::verify::{EvidenceModel, ModelKind};
+use asbuilt_core::verify::{EvidenceModel, IntensityNoise, ModelKind};
 
 use crate::pg::{Args, Field, Ret, Rows, sql_functions};
 
@@ -75,6 +75,12 @@ sql_functions! {
         let p = SensorPreset::named(&args.text(1))?;
         let (sigma_range, sigma_angle, sigma_station) = (p.sigma_range, p.sigma_angle, p.sigma_station);
         ret(&EvidenceModel { sigma_range, sigma_angle, sigma_station, ..model_arg(args, 0)? })
+    }
+
+    /// ab_with_intensity(model, reference, exponent)
+    fn ab_with_intensity(args) {
+        let intensity = Some(IntensityNoise::new(args.i32(1), args.f64(2))?);
+        ret(&EvidenceModel { intensity, ..model_arg(args, 0)? })
     }
 
     fn ab_evidence_model_make(args) { ret(&from_args(args)?) }

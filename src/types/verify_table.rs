@@ -1,7 +1,7 @@
 //! `ab_verify_table(objects, scans, …)`: every patch unpacked once for all objects.
 
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::verify::{Evidence, EvidenceModel, Summary, Verifier, VerdictRule};
+use asbuilt_core::verify::{Evidence, EvidenceModel, Summary, VerdictRule, Verifier};
 use asbuilt_core::{Error, Result};
 
 use super::evidence_model::{model_arg, parse};
@@ -27,7 +27,11 @@ fn objects(args: &Args, model: &EvidenceModel, crew: &Crew) -> Result<Objects> {
     let query = Query {
         what: "the query of objects",
         text: &args.text(0),
-        columns: &[Column::Integer, Column::Varlena("ab_solid"), Column::Fixed("ab_evidence_model", EvidenceModel::LEN)],
+        columns: &[
+            Column::Integer,
+            Column::Varlena("ab_solid"),
+            Column::Fixed("ab_evidence_model", EvidenceModel::LEN),
+        ],
         optional: 1,
         expected: "a SELECT of an integer id, an ab_solid and perhaps an ab_evidence_model",
     };
@@ -62,13 +66,22 @@ fn absorb_scans(args: &Args, verifier: &mut Verifier, crew: &Crew) -> Result<()>
         let memory = verifier.memory();
         if memory > limit {
             let what = "the evidence about all objects together";
-            return Err(Error::Limit { what, value: format!("{} MB", memory >> 20), limit: format!("{} MB (asbuilt.max_evidence_memory)", limit >> 20) });
+            return Err(Error::Limit {
+                what,
+                value: format!("{} MB", memory >> 20),
+                limit: format!("{} MB (asbuilt.max_evidence_memory)", limit >> 20),
+            });
         }
         Ok(())
     })
 }
 
-fn verdict(e: &Evidence, rule: &VerdictRule, keep: bool, interrupt: asbuilt_core::Interrupt) -> Result<(Summary, Option<Vec<u8>>)> {
+fn verdict(
+    e: &Evidence,
+    rule: &VerdictRule,
+    keep: bool,
+    interrupt: asbuilt_core::Interrupt,
+) -> Result<(Summary, Option<Vec<u8>>)> {
     let bytes = keep.then(|| e.to_bytes(interrupt)).transpose()?;
     Ok((e.summary(e.model(), rule, interrupt)?, bytes))
 }

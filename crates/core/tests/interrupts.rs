@@ -38,9 +38,7 @@ fn questions((what, work): &Work) -> usize {
     let asked = AtomicUsize::new(0);
     let stop_at = |k: usize| {
         asked.store(0, Relaxed);
-        work(&|| {
-            asked.fetch_add(1, Relaxed) + 1 == k
-        })
+        work(&|| asked.fetch_add(1, Relaxed) + 1 == k)
     };
     stop_at(usize::MAX).unwrap();
     let total = asked.load(Relaxed);

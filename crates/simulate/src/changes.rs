@@ -143,8 +143,11 @@ impl Change {
         };
         let rotation = Rotation3::from_axis_angle(&axis, self.tilt_deg.to_radians());
         let bow = Vec3::from(self.bow);
-        let (vertices, triangles) =
-            if bow == Vec3::zeros() { (solid.vertices().to_vec(), solid.triangles().to_vec()) } else { bowed(solid, &bow) };
+        let (vertices, triangles) = if bow == Vec3::zeros() {
+            (solid.vertices().to_vec(), solid.triangles().to_vec())
+        } else {
+            bowed(solid, &bow)
+        };
         let moved = vertices.iter().map(|v| rotation * (v - foot) + foot + Vec3::from(self.shift)).collect();
         Ok(Some(Solid::new(moved, triangles)?))
     }

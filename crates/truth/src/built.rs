@@ -143,7 +143,11 @@ fn screen(object: &Object, building: &Building, rng: &mut ChaCha8Rng) -> Result<
     }
     max[across] = min[across] + 0.03;
     let middle = low[along] + (high[along] - low[along]) * rng.random_range(0.35..0.65);
-    if rng.random_bool(0.5) { max[along] = middle } else { min[along] = middle }
+    if rng.random_bool(0.5) {
+        max[along] = middle
+    } else {
+        min[along] = middle
+    }
     min.z = 0.0;
     max.z = 0.9 * high.z;
     building.world_from_plan.solid(&Solid::cuboid(min.into(), max.into())?)

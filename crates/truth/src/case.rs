@@ -4,7 +4,9 @@ use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind, SampleBelief, Summary, Threads, Verdict, VerdictRule, Verifier};
+use asbuilt_core::verify::{
+    Collector, Evidence, EvidenceModel, ModelKind, SampleBelief, Summary, Threads, Verdict, VerdictRule, Verifier,
+};
 use asbuilt_simulate::{Change, Scanner, Scene};
 use rayon::prelude::*;
 
@@ -99,9 +101,9 @@ impl Setup {
         let missing = fate.solid.is_none();
         let expected = expected(&truths, missing, model.tolerance(), rule.min_coverage);
         let faces = face_estimates(evidence, &model, &samples)?;
-        let deviation = summary.deviation.and_then(|(value, sd)| {
-            faces.iter().find(|(_, e)| e.value == value).map(|(_, e)| Estimate { sd, ..*e })
-        });
+        let deviation = summary
+            .deviation
+            .and_then(|(value, sd)| faces.iter().find(|(_, e)| e.value == value).map(|(_, e)| Estimate { sd, ..*e }));
         let rigid = matches!(fate.case, Case::AsDrawn | Case::Shifted | Case::HalfHidden);
         let shift = match &summary.shift {
             Some(s) if rigid && !missing => shift_estimates(s, &Vec3::from(fate.change.shift)),

@@ -65,7 +65,8 @@ impl Frame {
 
     fn dot(&mut self, x: f64, y: f64, radius: f64, colour: &str) {
         let (x, y) = (self.at_x(x), self.at_y(y));
-        let _ = write!(self.svg, "<circle cx='{x:.1}' cy='{y:.1}' r='{radius:.1}' fill='{colour}' fill-opacity='0.75'/>");
+        let _ =
+            write!(self.svg, "<circle cx='{x:.1}' cy='{y:.1}' r='{radius:.1}' fill='{colour}' fill-opacity='0.75'/>");
     }
 }
 

@@ -118,11 +118,18 @@ fn confusion(r: &Results) -> String {
     out
 }
 
-fn by<K: PartialOrd + Copy>(r: &Results, head: &str, name: impl Fn(K) -> String, key: impl Fn(&Outcome) -> K) -> String {
+fn by<K: PartialOrd + Copy>(
+    r: &Results,
+    head: &str,
+    name: impl Fn(K) -> String,
+    key: impl Fn(&Outcome) -> K,
+) -> String {
     let mut keys: Vec<K> = r.all().map(&key).collect();
     keys.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
     keys.dedup_by(|a, b| a == b);
-    let mut out = format!("| {head} | verdict right | best LOA | deviation holds | shift holds |\n| --- | --- | --- | --- | --- |\n");
+    let mut out = format!(
+        "| {head} | verdict right | best LOA | deviation holds | shift holds |\n| --- | --- | --- | --- | --- |\n"
+    );
     for k in keys {
         let of = || r.outcomes.iter().filter(|o| key(o) == k);
         let _ = writeln!(
@@ -149,7 +156,8 @@ pub fn write(path: &Path, seed: u64, scenes: &[SceneLine], surface: &Results, ra
     let (deviation, faces, shift) = (surface.deviation(), surface.faces(), surface.shift());
     let errors = [("deviation of objects", &*deviation.z), ("deviation of faces", &faces.z), ("shift", &shift.z)];
     put(&folder.join("truth-intervals.svg"), &picture::errors(&errors))?;
-    let mut bins = String::from("| belief | share of samples | mean belief | was within |\n| --- | ---: | ---: | ---: |\n");
+    let mut bins =
+        String::from("| belief | share of samples | mean belief | was within |\n| --- | ---: | ---: | ---: |\n");
     let table = surface.reliability();
     let all: f64 = table.iter().map(|b| b.count).sum();
     for (i, b) in table.iter().enumerate() {

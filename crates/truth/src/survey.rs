@@ -46,7 +46,13 @@ impl Survey {
             min_elevation: (-60f64).to_radians(),
         };
         // Dense scans from fewer stations: the set is to be done in minutes.
-        let most = if step_mrad < 1.2 { 1 } else if step_mrad < 1.8 { 2 } else { 6 };
+        let most = if step_mrad < 1.2 {
+            1
+        } else if step_mrad < 1.8 {
+            2
+        } else {
+            6
+        };
         Self { seed: seed + i as u64, scanner, stations: (1 + i % 5).min(most) }
     }
 

@@ -160,9 +160,8 @@ fn worst_face(seen: &[&(usize, SampleTruth)], share: f64) -> f64 {
     let mut by_face = vec![Vec::new(); faces];
     let off = |t: &SampleTruth| t.distance.max(t.deviation.unwrap_or(0.0).abs());
     seen.iter().for_each(|(f, t)| by_face[*f].push(off(t)));
-    let counts = |d: &Vec<f64>| {
-        d.len() >= FACE_SAMPLES.min(seen.len()) && d.len() as f64 >= FACE_SHARE * seen.len() as f64
-    };
+    let counts =
+        |d: &Vec<f64>| d.len() >= FACE_SAMPLES.min(seen.len()) && d.len() as f64 >= FACE_SHARE * seen.len() as f64;
     let quantile = |mut d: Vec<f64>| {
         d.sort_by(f64::total_cmp);
         d[((d.len() as f64 * share) as usize).min(d.len() - 1)]

@@ -120,3 +120,33 @@ fn real_room() {
     // The published ray model runs on it too.
     assert_eq!(db.verify(&["--loa", "LOA20", "--model", "meyer2022"]).len(), v.len());
 }
+
+/// What is forecast of the demo is what its scans then prove.
+#[test]
+fn forecast_comes_true() {
+    let db = Database::new("forecast");
+    let (model, stations, scan) = (project("demo/pavilion.ifc"), project("demo/stations.txt"), scratch("forecast.e57"));
+    let (model, stations) = (text(&model), text(&stations));
+    let out = db.command(&["forecast", model, "--stations", stations, "--format", "json"]).output().unwrap();
+    let said = String::from_utf8_lossy(&out.stderr);
+    assert!(out.status.success() && said.contains("one more station at "), "{said}");
+    let forecast: Vec<serde_json::Value> = serde_json::from_slice(&out.stdout).unwrap();
+    db.asbuilt(&["simulate", model, "--stations", stations, "--step-mrad", "4", "--seed", "5", "--out", text(&scan)]);
+    db.asbuilt(&["load", model, text(&scan)]);
+    let v = db.verify(&["--sensor", "hybrid"]);
+    assert_eq!(forecast.len(), v.len());
+    for f in &forecast {
+        let name = f["name"].as_str().unwrap();
+        let (expected, found) = (f["coverage"].as_f64().unwrap(), v.number(name, "coverage"));
+        // Small objects lose more at their edges than is forecast.
+        assert!((expected - found).abs() <= 0.08, "{name}: {expected} {found}");
+        if expected > 0.0 {
+            assert_eq!(f["best_loa"].as_str().unwrap(), v.text(name, "best_loa"), "{name}");
+        } else {
+            assert_eq!(v.verdict(name), "unobserved");
+        }
+    }
+    let error = db.asbuilt_fails(&["forecast", model, "--stations", stations, "--sensor", "theodolite"]);
+    assert!(error.contains("the sensor must be 'phase'"), "{error}");
+    std::fs::remove_file(scan).unwrap();
+}

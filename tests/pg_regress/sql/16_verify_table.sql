@@ -71,3 +71,7 @@ SELECT * FROM ab_sensor();
 SELECT ab_with_sensor(ab_evidence_model('LOA40'), 'phase');
 SELECT * FROM ab_sensor('theodolite');
 DROP TABLE object, scan, result;
+SELECT ab_with_intensity(ab_evidence_model('LOA40'), 1200, 1.5);
+SELECT ab_with_intensity(ab_evidence_model(), 70000);
+SELECT ab_with_intensity(ab_evidence_model(), 100, 9);
+SELECT 'loa=LOA30 intensity=12'::ab_evidence_model;

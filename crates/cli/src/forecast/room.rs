@@ -33,7 +33,8 @@ impl Room {
 
     /// Whether a scanner could stand here: in no solid, and with room around it.
     pub fn can_stand(&self, p: &Vec3) -> bool {
-        let around = (0..8).map(|k| f64::from(k) * std::f64::consts::FRAC_PI_4).map(|a| Vec3::new(a.cos(), a.sin(), 0.0));
+        let around =
+            (0..8).map(|k| f64::from(k) * std::f64::consts::FRAC_PI_4).map(|a| Vec3::new(a.cos(), a.sin(), 0.0));
         let elbow = around.into_iter().all(|d| self.scene.first_hit(p, &d).is_none_or(|hit| hit >= ELBOW_M));
         elbow && !self.closed.iter().any(|(solid, scene)| inside(solid, scene, p))
     }

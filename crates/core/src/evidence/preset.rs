@@ -24,7 +24,14 @@ impl SensorPreset {
     /// All there are.
     pub const ALL: [Self; 6] = [
         Self::new("phase", 0.0005, 3.9e-5, 0.001, 80.0, "terrestrial scanner, phase shift (8 arc seconds)"),
-        Self::new("hybrid", 0.0012, 3.9e-5, 0.001, 150.0, "terrestrial scanner, wave-form digitising (1.2 mm, 8 arc seconds)"),
+        Self::new(
+            "hybrid",
+            0.0012,
+            3.9e-5,
+            0.001,
+            150.0,
+            "terrestrial scanner, wave-form digitising (1.2 mm, 8 arc seconds)",
+        ),
         Self::new("pulse", 0.003, 3.9e-5, 0.002, 600.0, "terrestrial scanner, long range, time of flight"),
         Self::new("compact", 0.004, 1.9e-4, 0.002, 45.0, "imaging scanner (4 mm at 10 m, 40 arc seconds)"),
         Self::new("handheld", 0.008, 1e-3, 0.01, 50.0, "hand-held or mobile scanner, trajectory by SLAM"),

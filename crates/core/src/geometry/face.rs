@@ -190,7 +190,8 @@ mod tests {
         let faces = group_faces(&column, NEVER).unwrap();
         assert_eq!(faces.surface_of_face.iter().max(), Some(&2));
         let of = |f: &(usize, &Vec3)| faces.surface_of_face[f.0];
-        let mantle: Vec<u32> = faces.normals.iter().enumerate().filter(|(_, n)| n.z.abs() < 0.5).map(|f| of(&f)).collect();
+        let mantle: Vec<u32> =
+            faces.normals.iter().enumerate().filter(|(_, n)| n.z.abs() < 0.5).map(|f| of(&f)).collect();
         assert!(mantle.len() > 10 && mantle.iter().all(|s| *s == mantle[0]));
     }
 

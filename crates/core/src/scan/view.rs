@@ -16,6 +16,8 @@ pub struct View {
     pub directions: Vec<Vec3>,
     /// Range of each beam, metres; infinite without return.
     pub ranges: Vec<f64>,
+    /// Intensity of each beam, where it was measured and asked for.
+    pub intensities: Option<Vec<u16>>,
     basis: [Vec3; 2],
     grid: AngularGrid,
 }
@@ -23,23 +25,33 @@ pub struct View {
 impl View {
     /// Sorts the beams of a patch with an origin.
     pub fn new(header: Header, beams: &[Beam]) -> Self {
+        Self::with_intensities(header, beams, None)
+    }
+
+    /// The same with the beams' intensities.
+    pub fn with_intensities(header: Header, beams: &[Beam], intensities: Option<&[u16]>) -> Self {
         let basis = header.cone.basis();
         let (mut kept, mut image) = (Vec::with_capacity(beams.len()), Vec::with_capacity(beams.len()));
-        for b in beams {
+        for (i, b) in beams.iter().enumerate() {
             let length = b.offset.norm();
             if length > 0.0 {
                 let d = b.offset / length;
-                kept.push((d, if b.returned { length } else { f64::INFINITY }));
+                let range = if b.returned { length } else { f64::INFINITY };
+                kept.push((d, range, intensities.map_or(0, |all| all[i])));
                 image.push(gnomonic(&header.cone, &basis, &d));
             }
         }
         let (grid, slots) = AngularGrid::sort(&image, f64::from(header.step));
         let (mut directions, mut ranges) = (vec![Vec3::zeros(); kept.len()], vec![0.0; kept.len()]);
-        for (slot, (direction, range)) in slots.into_iter().zip(kept) {
+        let mut sorted = intensities.map(|_| vec![0; kept.len()]);
+        for (slot, (direction, range, intensity)) in slots.into_iter().zip(kept) {
             directions[slot as usize] = direction;
             ranges[slot as usize] = range;
+            if let Some(sorted) = &mut sorted {
+                sorted[slot as usize] = intensity;
+            }
         }
-        Self { header, directions, ranges, basis, grid }
+        Self { header, directions, ranges, intensities: sorted, basis, grid }
     }
 
     /// Number of beams.

@@ -92,7 +92,8 @@ fn fit(
         let deviation = f64::from(body.deviation);
         let o = Observed { position: Observations::position(s), normal: e.samples.normals[s.face as usize], deviation };
         // However unsure of itself, what lies far off the course does not confirm it.
-        let reach = (AGREES_SIGMAS * body.sd()).min(MAX_ROUGHNESS_M + AGREES_SIGMAS * f64::from(body.common_variance).sqrt());
+        let reach =
+            (AGREES_SIGMAS * body.sd()).min(MAX_ROUGHNESS_M + AGREES_SIGMAS * f64::from(body.common_variance).sqrt());
         Some((o, reach, f64::from(body.random_variance)))
     };
     let seen = &observations.seen[run.clone()];

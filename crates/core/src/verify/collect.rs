@@ -52,18 +52,20 @@ impl Unpacked {
         if let Beams::FromOne(view) = &self.beams { view.len() } else { 0 }
     }
 
-    /// Unpacks a patch.
-    pub fn of(patch: &[u8]) -> Result<Self> {
-        let (header, content) = Patch::beams_of(patch)?;
+    /// Unpacks a patch; its intensities only if they are asked for.
+    pub fn of(patch: &[u8], with_intensities: bool) -> Result<Self> {
+        let unpack = if with_intensities { Patch::content_of } else { Patch::beams_of };
+        let (header, content) = unpack(patch)?;
         let beams = match header.origins() {
-            Origins::One => Beams::FromOne(Box::new(View::new(header.clone(), &content.beams))),
+            Origins::One => {
+                let intensities = content.intensity.as_deref();
+                Beams::FromOne(Box::new(View::with_intensities(header.clone(), &content.beams, intensities)))
+            }
             Origins::Each => {
                 let by_place = by_origin(&header, &content)?;
                 Beams::FromMany(by_place.into_iter().map(|(header, beams)| View::new(header, &beams)).collect())
             }
-            Origins::Unknown => {
-                Beams::Points(content.beams.iter().filter(|b| b.returned).map(|b| b.offset).collect())
-            }
+            Origins::Unknown => Beams::Points(content.beams.iter().filter(|b| b.returned).map(|b| b.offset).collect()),
         };
         Ok(Self { header, beams })
     }
@@ -127,7 +129,10 @@ impl Collector {
     /// Adds what a packed patch says. Points without origin speak for the face nearest to them, and never of empty
     /// space.
     pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
-        if self.concerns(&Header::read(patch)?) { self.absorb_unpacked(&Unpacked::of(patch)?, interrupt) } else { Ok(()) }
+        if !self.concerns(&Header::read(patch)?) {
+            return Ok(());
+        }
+        self.absorb_unpacked(&Unpacked::of(patch, self.evidence.model.intensity.is_some())?, interrupt)
     }
 
     /// The same for a patch that is unpacked already.
@@ -213,7 +218,7 @@ impl Collector {
                 // Only what a ray pierced: its end speaks for itself.
                 let pierced = |seen| match seen {
                     Seen::Through(weight) => Some(Seen::Through(weight * share)),
-                    Seen::Surface(_) => None,
+                    Seen::Surface(..) => None,
                 };
                 self.absorb_view(&view, Place::At(*camera), pierced, interrupt)?;
             }

@@ -22,8 +22,8 @@ const MIN_TURN_COS: f64 = 0.866;
 /// What one beam saw.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Seen {
-    /// A surface this far (fixed-point) in front of the face.
-    Surface(i32),
+    /// A surface this far (fixed-point) in front of the face, measured with this weight.
+    Surface(i32, f32),
     /// Empty space, with this weight.
     Through(f32),
 }
@@ -66,7 +66,7 @@ impl Encounters {
             let slot = crossing.slot as usize;
             let Some(mut e) = encounter(view, target, crossing, min_cos, model) else { continue };
             let hidden = explained.is_some_and(|x| x[slot]);
-            if hidden && matches!(e.seen, Seen::Surface(d) if f64::from(d) > HIDDEN_M * DEVIATION) {
+            if hidden && matches!(e.seen, Seen::Surface(d, _) if f64::from(d) > HIDDEN_M * DEVIATION) {
                 continue;
             }
             let Some(seen) = adjust(e.seen) else { continue };
@@ -130,9 +130,8 @@ fn encounter(
     if cos < min_cos {
         return None;
     }
-    let at = |place: Vec3, normal: Vec3, seen: Seen| {
-        view.project(&place).map(|uv| Encounter { place, normal, seen, uv })
-    };
+    let at =
+        |place: Vec3, normal: Vec3, seen: Seen| view.project(&place).map(|uv| Encounter { place, normal, seen, uv });
     let aimed = direction * t;
     if range.is_infinite() {
         let weight = if t <= model.no_return_range { model.no_return_weight } else { 0.0 };
@@ -145,7 +144,11 @@ fn encounter(
     if deviation < -model.band_behind() {
         return at(aimed, normal, Seen::Through(1.0));
     }
-    let fixed = |d: f64| Seen::Surface((d * DEVIATION).round() as i32);
+    let share = match (&model.intensity, &view.intensities) {
+        (Some(noise), Some(intensities)) => noise.share(intensities[slot]),
+        _ => 1.0,
+    };
+    let fixed = |d: f64| Seen::Surface((d * DEVIATION).round() as i32, share);
     let origin = view.header.origin;
     let met = direction * range + origin;
     if let Some(Foot { triangle, place }) = target.foot(crossing.triangle, &met) {

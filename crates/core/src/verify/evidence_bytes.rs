@@ -68,7 +68,8 @@ impl Evidence {
         let blocks = read_blocks(&mut r, blocks, faces, samples)?;
         let position = |i| poll_now_and_then(i, interrupt).and_then(|()| finite_position(&mut r));
         let positions = (0..samples).map(position).collect::<Result<Vec<_>>>()?;
-        let samples = Samples { reference: h.reference, positions, normals, surface_of_face, blocks, two_sided: h.two_sided };
+        let samples =
+            Samples { reference: h.reference, positions, normals, surface_of_face, blocks, two_sided: h.two_sided };
         let mut room = MAX_SUMS / BLOCK;
         let stations = (0..stations)
             .map(|_| read_station(&mut r, &samples, &h, &mut room, interrupt))

@@ -72,7 +72,9 @@ fn decision(summary: &Summary, totals: &Totals, rule: &VerdictRule) -> String {
     let why = match summary.verdict {
         Verdict::Unobserved => "too little was seen, decided, or sure enough for this tolerance".into(),
         Verdict::Conflicting => format!("stations contradict each other by more than {}", rule.max_conflict),
-        Verdict::Absent => format!("{} of what is decided was seen empty, more than 60 %", percent(totals.pierced, decided)),
+        Verdict::Absent => {
+            format!("{} of what is decided was seen empty, more than 60 %", percent(totals.pierced, decided))
+        }
         Verdict::Deviating => format!(
             "a well-seen surface keeps the tolerance in less than {} of its places, a face is mostly not there, or too little \
             of what is decided ({}) is in place",

@@ -66,13 +66,7 @@ impl Built {
     }
 
     /// Where the face is: the part of the report that no level of accuracy changes.
-    fn located(
-        &self,
-        face: usize,
-        e: &Evidence,
-        model: &EvidenceModel,
-        interrupt: Interrupt,
-    ) -> Result<FaceReport> {
+    fn located(&self, face: usize, e: &Evidence, model: &EvidenceModel, interrupt: Interrupt) -> Result<FaceReport> {
         let o = &self.observations;
         let run = o.faces[face].clone();
         let smooth_surface = e.samples.surface_of_face[face];
@@ -117,13 +111,7 @@ impl Built {
         })
     }
 
-    fn count(
-        &self,
-        face: usize,
-        model: &EvidenceModel,
-        report: &mut FaceReport,
-        interrupt: Interrupt,
-    ) -> Result<()> {
+    fn count(&self, face: usize, model: &EvidenceModel, report: &mut FaceReport, interrupt: Interrupt) -> Result<()> {
         let tolerance = model.tolerance();
         let run = self.observations.faces[face].clone();
         for (i, (s, own)) in self.observations.seen[run.clone()].iter().zip(&self.own[run]).enumerate() {

@@ -1,5 +1,6 @@
 //! Parameters of the evidence.
 
+use super::intensity::IntensityNoise;
 use crate::error::{Error, Result};
 use crate::evidence::{Loa, RayModel};
 use crate::num::bytes::{Put, Reader};
@@ -64,6 +65,8 @@ pub struct EvidenceModel {
     pub lambda: f64,
     /// Ray model: half-width of the occupied band in units of 1/λ.
     pub c: f64,
+    /// Range noise by intensity, where patches have it; `None`: `sigma_range` holds for all beams.
+    pub intensity: Option<IntensityNoise>,
 }
 
 impl Default for EvidenceModel {
@@ -85,6 +88,7 @@ impl Default for EvidenceModel {
             kappa: RayModel::LASER.kappa,
             lambda: RayModel::LASER.lambda,
             c: RayModel::LASER.c,
+            intensity: None,
         }
     }
 }
@@ -112,7 +116,7 @@ impl EvidenceModel {
     /// Widest spacing of samples, metres.
     pub const MAX_SPACING_M: f64 = 10.0;
 
-    /// Bytes of the stored form: model u32, level of accuracy u32, then the numbers as f64, little-endian.
+    /// Bytes of the stored form: model u32 (its upper three bytes: noise by intensity), level of accuracy u32, then the numbers as f64, little-endian.
     pub const LEN: usize = 8 + 8 * FIELDS.len();
 
     /// Names of the numeric parameters, in the order of [`EvidenceModel::set`]'s table and of the text form.
@@ -183,21 +187,25 @@ impl EvidenceModel {
 
     /// Appends the stored form.
     pub fn write(&self, out: &mut Vec<u8>) {
-        out.put_u32(self.kind as u32);
+        out.put_u32(self.kind as u32 | IntensityNoise::packed(self.intensity));
         out.put_u32(self.loa as u32);
         self.numbers().iter().for_each(|&x| out.put_f64(x));
     }
 
     /// Reads the stored form, checking every range.
     pub fn read(r: &mut Reader) -> Result<Self> {
-        let kind = match r.u32()? {
+        let word = r.u32()?;
+        let kind = match word & 0xff {
             0 => ModelKind::Surface,
             1 => ModelKind::Meyer2022,
             k => return Err(r.bad(format!("unknown evidence model {k}"))),
         };
         let loa = r.u32()?;
         let loa = *Loa::ALL.get(loa as usize).ok_or_else(|| r.bad(format!("unknown level of accuracy {loa}")))?;
-        let mut model = Self { kind, loa, ..Self::default() };
+        let mut model = Self { kind, loa, intensity: IntensityNoise::unpacked(word), ..Self::default() };
+        if IntensityNoise::packed(model.intensity) != word & !0xff {
+            return Err(r.bad(format!("noise by intensity {word:#x}")));
+        }
         for name in Self::names() {
             model.set(name, r.f64()?)?;
         }
@@ -209,6 +217,9 @@ impl EvidenceModel {
         let mut out = format!("model={} loa={}", self.kind.name(), self.loa.name());
         for (name, value) in Self::names().zip(self.numbers()) {
             out += &format!(" {name}={}", number(value));
+        }
+        if let Some(noise) = self.intensity {
+            out += &format!(" intensity={}^{}", noise.reference, number(noise.exponent()));
         }
         out
     }
@@ -223,6 +234,11 @@ impl EvidenceModel {
             match name {
                 "model" => m.kind = ModelKind::parse(value)?,
                 "loa" => m.loa = Loa::parse(value)?,
+                "intensity" => {
+                    let (reference, exponent) = value.split_once('^').ok_or_else(bad)?;
+                    let reference = reference.parse().map_err(|_| bad())?;
+                    m.intensity = Some(IntensityNoise::new(reference, exponent.parse().map_err(|_| bad())?)?);
+                }
                 _ => m.set(name, value.parse().map_err(|_| bad())?)?,
             }
         }
@@ -239,6 +255,10 @@ mod tests {
         let mut m = EvidenceModel { loa: Loa::Loa40, ..EvidenceModel::default() };
         m.kind = ModelKind::Meyer2022;
         m.set("sigma_range", 0.1 + 0.2).unwrap();
+        m.intensity = Some(IntensityNoise::new(1200, 1.5).unwrap());
+        let mut bytes = Vec::new();
+        m.write(&mut bytes);
+        assert_eq!(EvidenceModel::read(&mut Reader::new(&bytes, "model")).unwrap(), m);
         assert_eq!(EvidenceModel::from_text(&m.to_text()).unwrap(), m);
         assert_eq!(EvidenceModel::from_text("").unwrap(), EvidenceModel::default());
         assert_eq!(EvidenceModel::from_text("LOA20").unwrap().loa, Loa::Loa20);

@@ -97,8 +97,7 @@ impl Reading {
             self.beams = self.beams.saturating_add(sums.beams);
             match model.kind {
                 ModelKind::Surface => {
-                    let Some(r) = SurfaceReading::of(sums) else { continue };
-                    let voice = self.hear(*number, station, &r, position, normal, model);
+                    let Some(voice) = self.hear(*number, station, sums, position, normal, model) else { continue };
                     not_covered *= 1.0 - voice.trust;
                     self.voices.push(voice);
                 }
@@ -118,11 +117,13 @@ impl Reading {
         &mut self,
         number: usize,
         station: &Station,
-        r: &SurfaceReading,
+        sums: &Sums,
         position: &Vec3,
         normal: &Vec3,
         model: &EvidenceModel,
-    ) -> Voice {
+    ) -> Option<Voice> {
+        let r = &SurfaceReading::of(sums)?;
+        let brightness = brightness(r, sums, model);
         // Without one place that sees it, a sample counts along the normal and has no range.
         let (sight, range) = match station.place {
             Place::At(origin) => (position - origin, (position - origin).norm().max(1e-6)),
@@ -139,14 +140,17 @@ impl Reading {
         self.independence = (self.independence + own).min(1.0);
         // Sums count towards the scanner; values count along the outward normal.
         let outward = if sight.dot(normal) <= 0.0 { r.deviation } else { -r.deviation };
-        Voice {
+        Some(Voice {
             station: number,
             deviation: if r.hit >= r.through { outward } else { f64::NAN },
-            random_variance: random_variance(r, range, cos, model),
-            trust: model.reliability * (1.0 - (-(r.hit + r.through)).exp()) * unmixed(r, range, cos, model),
+            // The observed scatter, where that is larger than the noise.
+            random_variance: (beam_variance(range, cos, model) / brightness).max(r.variance) / r.effective.max(1.0),
+            trust: model.reliability
+                * (1.0 - (-(r.hit + r.through) / brightness).exp())
+                * unmixed(r, range, cos, model),
             hit_share: r.hit / (r.hit + r.through),
             has_rays: station.place != Place::Unknown,
-        }
+        })
     }
 
     /// The most trusted voice first, then whoever agrees with it; what is left starts the next body.
@@ -290,10 +294,10 @@ impl BodySum {
     }
 }
 
-/// Variance of a station's mean deviation at a sample: noise of range and angle (or the observed scatter, if that is
-/// larger) averaged over the beams.
-fn random_variance(r: &SurfaceReading, range: f64, cos: f64, model: &EvidenceModel) -> f64 {
-    beam_variance(range, cos, model).max(r.variance) / r.effective.max(1.0)
+/// Mean share of the beams' weights that their intensities left: dark beams cover a place as well as bright ones.
+fn brightness(r: &SurfaceReading, sums: &Sums, model: &EvidenceModel) -> f64 {
+    let unweighted = f64::from(sums.beams) * surface_sums::MEAN_WEIGHT;
+    if model.intensity.is_some() { ((r.hit + r.through) / unweighted).clamp(1.0 / 64.0, 1.0) } else { 1.0 }
 }
 
 /// Variance of one beam's deviation, from range and angle, m².

@@ -334,7 +334,9 @@ fn worst_face<'a>(faces: &'a [FaceReport], totals: &Totals, displaced: &[bool]) 
         let d = !any || displaced.get(f.smooth_surface as usize) == Some(&true);
         d && f.deviation.is_some() && f.surface >= WELL_SEEN_SAMPLES.min(totals.surface)
     };
-    let certainly_off = |f: &FaceReport| f.deviation.map_or(0.0, |(d, sd)| if any || d.abs() > CERTAINLY_OFF * sd { d.abs() } else { 0.0 });
+    let certainly_off = |f: &FaceReport| {
+        f.deviation.map_or(0.0, |(d, sd)| if any || d.abs() > CERTAINLY_OFF * sd { d.abs() } else { 0.0 })
+    };
     let order = |a: &&FaceReport, b: &&FaceReport| {
         a.coherent
             .cmp(&b.coherent)

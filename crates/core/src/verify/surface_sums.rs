@@ -16,6 +16,8 @@ use crate::scan::View;
 pub(super) const KERNEL_SPACINGS: f64 = 2.0;
 /// Effective number of beams (Σw)²/Σw² of a full kernel: 2π/ln 2.
 pub(super) const BEAMS_IN_KERNEL: f64 = 9.064_720_283_654_387;
+/// Mean weight of the beams within the kernel: (1 − 2⁻⁴)/(4 ln 2).
+pub(super) const MEAN_WEIGHT: f64 = 0.338_132_187_4;
 /// A crossing may lie this far off the sample's plane, relative to its distance across the sight line: a
 /// neighbouring facet of a curve.
 const MAX_RISE: f64 = 0.35;
@@ -61,16 +63,15 @@ pub fn gather(view: &View, encounters: &Encounters, offset: &Vec3, normal: &Vec3
 /// Whether a place `rise` metres off the sample's plane lies on the sample's own surface, not on a parallel one
 /// behind it, and where their normals have this scalar product.
 fn goes_on(rise: f32, lateral_squared: f32, turn_cos: f32) -> bool {
-    turn_cos >= MIN_TURN_COS as f32
-        && (rise <= 0.002 || rise * rise <= (MAX_RISE * MAX_RISE) as f32 * lateral_squared)
+    turn_cos >= MIN_TURN_COS as f32 && (rise <= 0.002 || rise * rise <= (MAX_RISE * MAX_RISE) as f32 * lateral_squared)
 }
 
 fn add(seen: Seen, weight: i64, sums: &mut Sums) {
     match seen {
-        Seen::Surface(d) => add_surface(weight, i64::from(d), 0, sums),
+        Seen::Surface(d, share) => add_surface(shared(weight, share), i64::from(d), 0, sums),
         Seen::Through(share) => {
             let [.., through] = &mut sums.parts;
-            *through = through.saturating_add((weight as f64 * f64::from(share)).round() as i64);
+            *through = through.saturating_add(shared(weight, share));
             sums.beams = sums.beams.saturating_add(1);
         }
     }
@@ -80,6 +81,10 @@ fn add(seen: Seen, weight: i64, sums: &mut Sums) {
 pub(super) fn same_surface(v: &Vec3, lateral: f64, normal_there: &Vec3, normal_here: &Vec3) -> bool {
     let rise = v.dot(normal_here).abs();
     normal_there.dot(normal_here) >= MIN_TURN_COS && (rise <= 0.002 || rise <= MAX_RISE * lateral)
+}
+
+fn shared(weight: i64, share: f32) -> i64 {
+    if share == 1.0 { weight } else { (weight as f64 * f64::from(share)).round() as i64 }
 }
 
 /// A surface at `d` with a variance of its own, both in fixed point, and so is the weight.
@@ -148,7 +153,7 @@ mod tests {
         let mut sums = Sums::default();
         let observations = [(0.010, 1.0), (0.012, 0.5), (-0.003, 0.25)];
         for (d, w) in observations {
-            add(Seen::Surface((d * DEVIATION) as i32), (w * WEIGHT) as i64, &mut sums);
+            add(Seen::Surface((d * DEVIATION) as i32, 1.0), (w * WEIGHT) as i64, &mut sums);
         }
         add(Seen::Through(1.0), (0.5 * WEIGHT) as i64, &mut sums);
         let r = SurfaceReading::of(&sums).unwrap();

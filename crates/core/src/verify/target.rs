@@ -71,10 +71,7 @@ impl Target {
     }
 
     /// The numbers of the triangles in each chunk whose ball (centre, radius; world metres) `concerns` lets through.
-    pub(super) fn chunks(
-        &self,
-        concerns: impl Fn(&Vec3, f64) -> bool,
-    ) -> impl Iterator<Item = std::ops::Range<usize>> {
+    pub(super) fn chunks(&self, concerns: impl Fn(&Vec3, f64) -> bool) -> impl Iterator<Item = std::ops::Range<usize>> {
         let run = |i: usize| i * CHUNK..((i + 1) * CHUNK).min(self.triangles.len());
         self.chunks.iter().enumerate().filter(move |(_, b)| concerns(&b.centre, b.radius)).map(move |(i, _)| run(i))
     }

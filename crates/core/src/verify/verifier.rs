@@ -59,9 +59,10 @@ impl Verifier {
     /// met one of them where it is drawn does not displace another one's face behind it (cladding, a wall's end). The evidence is the same to the last bit
     /// whatever the batches and threads: it is made of integer sums, and each object adds up its own.
     pub fn absorb<P: AsRef<[u8]> + Sync>(&mut self, patches: &[P], interrupt: Interrupt) -> Result<()> {
+        let with_intensities = self.collectors.iter().any(|c| c.evidence().model().intensity.is_some());
         let unpacked = self.threads.map(patches, |p| {
             poll(interrupt)?;
-            Unpacked::of(p.as_ref())
+            Unpacked::of(p.as_ref(), with_intensities)
         })?;
         let aims: Vec<Vec<Aim>> = self.threads.map(&self.collectors, |collector| {
             unpacked.iter().map(|patch| collector.aim(patch, interrupt)).collect::<Result<_>>()

@@ -1,0 +1,100 @@
+//! Objects verified together, and beams that are worth less.
+
+use asbuilt_core::NEVER;
+use asbuilt_core::geometry::{Solid, Vec3};
+use asbuilt_core::scan::{Beam, Content, Origins, Patch, Setting};
+use asbuilt_core::verify::{
+    Collector, Evidence, EvidenceModel, IntensityNoise, Threads, Verdict, VerdictRule, Verifier,
+};
+
+const STEP: f64 = 0.004;
+
+/// Beams from the origin of `station` that meet the plane x = `distance`, in four patches.
+fn patches(
+    station: i64,
+    origin: Vec3,
+    distance: impl Fn(usize) -> f64,
+    intensity: Option<fn(usize) -> u16>,
+) -> Vec<Vec<u8>> {
+    let ray = |i: usize| Vec3::new(1.0, (i % 128) as f64 * STEP - 0.256, (i / 128) as f64 * STEP - 0.256);
+    let beams: Vec<Beam> = (0..128 * 128).map(|i| Beam { offset: ray(i) * distance(i), returned: true }).collect();
+    let pack = |part: usize| {
+        let own = part * 4096..(part + 1) * 4096;
+        let intensity = intensity.map(|of| own.clone().map(of).collect());
+        let content = Content { beams: beams[own].to_vec(), intensity, ..Content::default() };
+        let setting = Setting { origins: Origins::One, station, origin, step: STEP, quantum: 1e-4 };
+        Patch::pack(&setting, &content).unwrap().to_bytes()
+    };
+    (0..4).map(pack).collect()
+}
+
+fn alone(solid: &Solid, model: EvidenceModel, patches: &[Vec<u8>]) -> Evidence {
+    let mut c = Collector::new(solid, model, NEVER).unwrap();
+    patches.iter().for_each(|p| c.absorb(p, NEVER).unwrap());
+    c.into_evidence()
+}
+
+fn together(objects: &[(Solid, EvidenceModel)], patches: &[Vec<u8>], threads: Threads, batch: usize) -> Vec<Evidence> {
+    let mut v = Verifier::new(objects, threads, NEVER).unwrap();
+    patches.chunks(batch).for_each(|b| v.absorb(b, NEVER).unwrap());
+    v.into_evidence()
+}
+
+#[test]
+fn batches_and_threads_change_nothing() {
+    let model = EvidenceModel::default();
+    let wall = Solid::cuboid([5.0, -1.0, -1.0], [5.2, 1.0, 1.0]).unwrap();
+    let column = Solid::cylinder([3.0, 0.2, -1.0], 0.2, 2.0, 32).unwrap();
+    let mut all = patches(1, Vec3::zeros(), |_| 5.0, None);
+    all.extend(patches(2, Vec3::new(-1.0, 0.3, 0.1), |i| 6.0 + 0.001 * (i % 3) as f64, None));
+    let objects = [(wall.clone(), model), (column.clone(), EvidenceModel { spacing: 0.03, ..model })];
+    let one = together(&objects, &all, Threads::Own, 1);
+    for (threads, batch) in [(Threads::Own, 3), (Threads::Pool, 8), (Threads::Pool, 1)] {
+        assert_eq!(together(&objects, &all, threads, batch), one);
+    }
+    // Nothing hides either from the other: each by itself says the same.
+    for ((solid, model), e) in objects.iter().zip(&one) {
+        assert_eq!(&alone(solid, *model, &all), e);
+    }
+    let verdict = |e: &Evidence| e.verdict(e.model(), &VerdictRule::default(), NEVER).unwrap();
+    assert_eq!((verdict(&one[0]), verdict(&one[1])), (Verdict::Confirmed, Verdict::Absent));
+}
+
+#[test]
+fn a_drawn_cladding_does_not_displace_the_wall_behind_it() {
+    let model = EvidenceModel::default();
+    let wall = Solid::cuboid([5.05, -1.0, -1.0], [5.25, 1.0, 1.0]).unwrap();
+    let cladding = Solid::cuboid([5.0, -1.0, -1.0], [5.05, 1.0, 1.0]).unwrap();
+    let seen = patches(1, Vec3::zeros(), |_| 5.0, None);
+    let verdict = |e: &Evidence| e.verdict(e.model(), &VerdictRule::default(), NEVER).unwrap();
+    assert_eq!(verdict(&alone(&wall, model, &seen)), Verdict::Deviating);
+    let both = together(&[(wall.clone(), model), (cladding, model)], &seen, Threads::Own, 4);
+    assert_eq!((verdict(&both[0]), verdict(&both[1])), (Verdict::Unobserved, Verdict::Confirmed));
+    // Where the cladding is 30 mm off, it explains nothing.
+    let off = patches(1, Vec3::zeros(), |_| 4.97, None);
+    let cladding = Solid::cuboid([5.0, -1.0, -1.0], [5.05, 1.0, 1.0]).unwrap();
+    let both = together(&[(wall, model), (cladding, model)], &off, Threads::Own, 4);
+    assert_eq!(verdict(&both[1]), Verdict::Deviating);
+}
+
+#[test]
+fn dark_beams_are_worth_less() {
+    let wall = Solid::cuboid([5.0, -1.0, -1.0], [5.2, 1.0, 1.0]).unwrap();
+    // Every other beam is dark, and 9 mm off.
+    let seen = patches(
+        1,
+        Vec3::zeros(),
+        |i| if i % 2 == 0 { 5.0 } else { 5.009 },
+        Some(|i| if i % 2 == 0 { 4000 } else { 40 }),
+    );
+    let plain = EvidenceModel::default();
+    let noise = Some(IntensityNoise::new(2000, 1.0).unwrap());
+    let deviation = |model: EvidenceModel| {
+        alone(&wall, model, &seen).summary(&model, &VerdictRule::default(), NEVER).unwrap().deviation.unwrap().0
+    };
+    assert!((deviation(plain) + 0.0045).abs() < 1e-3, "{}", deviation(plain));
+    // Shares 1 and 1/50.
+    let expected = -0.009 / 51.0;
+    let found = deviation(EvidenceModel { intensity: noise, ..plain });
+    assert!((found - expected).abs() < 2e-4, "{found} {expected}");
+}
