@@ -18,6 +18,8 @@ const MIN_ROUGHNESS_M: f64 = 0.001;
 /// A surface that was met in front of the drawn one is the built one only where this share of it was seen: of an edge
 /// that a neighbour covers, a strip beside the neighbour's end is.
 const BARED: f64 = 0.25;
+/// Samples by which a course is judged, at the most; spread evenly over the surface.
+const MAX_JUDGED: usize = 20_000;
 /// USIBD: a class holds when this share of the deviations keeps its bound.
 const WITHIN: f64 = 0.95;
 /// Most of a surface.
@@ -65,81 +67,139 @@ impl Built {
         let mut all = Heard::default();
         for (run, heard) in observations.surfaces.iter().zip(&heard) {
             poll(interrupt)?;
-            let fit = fit(e, &observations, run, heard, interrupt)?;
-            let coherent = fit.is_some();
-            if let Some(fit) = fit {
-                own[run.clone()].copy_from_slice(&fit);
+            let (seen, own) = (&observations.seen[run.clone()], &mut own[run.clone()]);
+            let coherent = match Course::of(e, &observations, seen, heard, interrupt)? {
+                Some(course) => course.write(e, &observations, seen, own, interrupt)?,
+                None => false,
+            };
+            if !coherent {
+                own.fill(f32::NAN);
             }
-            surfaces.push(BuiltSurface::of(coherent, &observations.seen[run.clone()], &own[run.clone()], heard, model));
+            surfaces.push(BuiltSurface::of(coherent, seen, own, heard, model, interrupt)?);
             all.add(heard);
         }
         let coherent = surfaces.iter().any(|s| s.coherent);
-        let whole = BuiltSurface::of(coherent, &observations.seen, &own, &all, model);
+        let whole = BuiltSurface::of(coherent, &observations.seen, &own, &all, model, interrupt)?;
         Ok(Self { observations, own, surfaces, whole })
     }
 }
 
-/// The samples of one smooth surface that follow its course, with their deviations; `None` where most do not.
-fn fit(
-    e: &Evidence,
-    observations: &Observations,
-    run: &std::ops::Range<usize>,
-    heard: &Heard,
-    interrupt: Interrupt,
-) -> Result<Option<Vec<f32>>> {
-    let observed = |s: &Seen| {
+/// The course of one smooth surface, as its seen samples show it.
+struct Course {
+    consensus: Consensus,
+    /// What lies no farther off follows it however precise it is, metres.
+    scatter: f64,
+    /// Of what a sample differs from the course, so much is the surface's and not the measurement's.
+    kept: f64,
+}
+
+/// A sample at which a surface was met.
+struct Met {
+    observed: Observed,
+    /// It may follow a course that is no farther off, metres.
+    reach: f64,
+    random_variance: f64,
+}
+
+impl Met {
+    fn of(e: &Evidence, observations: &Observations, s: &Seen) -> Option<Self> {
         let body = observations.surface_body(s)?;
-        let deviation = f64::from(body.deviation);
-        let o = Observed { position: Observations::position(s), normal: e.samples.normals[s.face as usize], deviation };
-        // However unsure of itself, what lies far off the course does not confirm it.
-        let reach =
-            (AGREES_SIGMAS * body.sd()).min(MAX_ROUGHNESS_M + AGREES_SIGMAS * f64::from(body.common_variance).sqrt());
-        Some((o, reach, f64::from(body.random_variance)))
-    };
-    let seen = &observations.seen[run.clone()];
-    let mut met = Vec::with_capacity(seen.len());
-    for (i, s) in seen.iter().enumerate() {
-        poll_now_and_then(i, interrupt)?;
-        met.push(observed(s));
+        let (position, normal) = (Observations::position(s), e.samples.normals[s.face as usize]);
+        let common = AGREES_SIGMAS * f64::from(body.common_variance).sqrt();
+        Some(Self {
+            observed: Observed { position, normal, deviation: f64::from(body.deviation) },
+            // However unsure of itself, what lies far off the course does not confirm it.
+            reach: (AGREES_SIGMAS * body.sd()).min(MAX_ROUGHNESS_M + common),
+            random_variance: f64::from(body.random_variance),
+        })
     }
-    let surface: Vec<Observed> = met.iter().flatten().map(|m| m.0).collect();
-    let Some(course) = Consensus::fit(&surface, interrupt)? else { return Ok(None) };
-    let scatter = (AGREES_SIGMAS * course.spread).clamp(MIN_ROUGHNESS_M, MAX_ROUGHNESS_M);
-    let agrees = |(o, reach, _): &(Observed, f64, f64)| course.residual(o).abs() <= reach.max(scatter);
-    let following: Vec<bool> = met.iter().map(|m| m.as_ref().is_some_and(agrees)).collect();
-    let own = || met.iter().zip(&following).filter(|(_, f)| **f).filter_map(|(m, _)| m.as_ref());
-    let count = own().count();
-    if (count as f64) < MAJORITY * seen.len() as f64 || !course.is_surface(own().map(|m| &m.0)) {
-        return Ok(None);
+}
+
+impl Course {
+    /// The course that most of the samples of a run follow; `None` where they do not.
+    fn of(
+        e: &Evidence,
+        observations: &Observations,
+        seen: &[Seen],
+        heard: &Heard,
+        interrupt: Interrupt,
+    ) -> Result<Option<Self>> {
+        let few: Vec<Met> = seen
+            .iter()
+            .step_by(seen.len().div_ceil(MAX_JUDGED).max(1))
+            .filter_map(|s| Met::of(e, observations, s))
+            .collect();
+        let observed: Vec<Observed> = few.iter().map(|m| m.observed).collect();
+        let Some(consensus) = Consensus::fit(&observed, interrupt)? else { return Ok(None) };
+        let scatter = (AGREES_SIGMAS * consensus.spread).clamp(MIN_ROUGHNESS_M, MAX_ROUGHNESS_M);
+        let mut course = Self { consensus, scatter, kept: 0.0 };
+        let own: Vec<&Met> = few.iter().filter(|m| course.is_followed_by(m)).collect();
+        if !course.consensus.is_surface(own.iter().map(|m| &m.observed)) {
+            return Ok(None);
+        }
+        let middle =
+            |of: &dyn Fn(&Met) -> f64| median(&mut own.iter().map(|m| of(m)).collect::<Vec<_>>()).unwrap_or(0.0);
+        let centre = middle(&|m| course.consensus.at(&m.observed));
+        if centre > MAX_ROUGHNESS_M && (seen.len() as f64) < BARED * heard.samples as f64 {
+            return Ok(None);
+        }
+        let noise = middle(&|m| m.random_variance);
+        course.kept = 1.0 - noise / course.consensus.spread.powi(2).max(noise).max(1e-12);
+        Ok(Some(course))
     }
-    let centre = median(&mut own().map(|m| course.at(&m.0)).collect::<Vec<_>>()).unwrap_or(0.0);
-    if centre > MAX_ROUGHNESS_M && (seen.len() as f64) < BARED * heard.samples as f64 {
-        return Ok(None);
+
+    fn is_followed_by(&self, m: &Met) -> bool {
+        self.consensus.residual(&m.observed).abs() <= m.reach.max(self.scatter)
     }
-    let noise = median(&mut own().map(|m| m.2).collect::<Vec<_>>()).unwrap_or(0.0);
-    // Of what a sample differs from the course, so much is the surface's and not the measurement's.
-    let kept = 1.0 - noise / course.spread.powi(2).max(noise).max(1e-12);
-    let deviation = |(m, follows): (&Option<(Observed, f64, f64)>, &bool)| match m {
-        Some((o, ..)) if *follows => (course.at(o) + kept * course.residual(o)) as f32,
-        _ => f32::NAN,
-    };
-    Ok(Some(met.iter().zip(&following).map(deviation).collect()))
+
+    /// Writes the deviation of every sample that follows; whether most do.
+    fn write(
+        &self,
+        e: &Evidence,
+        observations: &Observations,
+        seen: &[Seen],
+        own: &mut [f32],
+        interrupt: Interrupt,
+    ) -> Result<bool> {
+        let mut count = 0u64;
+        for (i, (s, own)) in seen.iter().zip(own).enumerate() {
+            poll_now_and_then(i, interrupt)?;
+            if let Some(m) = Met::of(e, observations, s).filter(|m| self.is_followed_by(m)) {
+                let residual = self.consensus.residual(&m.observed);
+                *own = (m.observed.deviation - (1.0 - self.kept) * residual) as f32;
+                count += 1;
+            }
+        }
+        Ok(count as f64 >= MAJORITY * seen.len() as f64)
+    }
 }
 
 impl BuiltSurface {
-    fn of(coherent: bool, seen: &[Seen], own: &[f32], heard: &Heard, model: &EvidenceModel) -> Self {
-        let on = || seen.iter().zip(own).filter(|(_, d)| !d.is_nan());
-        let independent: f64 = on().map(|(s, _)| f64::from(s.independence)).sum();
-        let mut size: Vec<f32> = on().map(|(_, d)| d.abs()).collect();
+    fn of(
+        coherent: bool,
+        seen: &[Seen],
+        own: &[f32],
+        heard: &Heard,
+        model: &EvidenceModel,
+        interrupt: Interrupt,
+    ) -> Result<Self> {
+        let mut size = Vec::with_capacity(own.len());
+        let mut independent = 0.0;
+        for (i, (s, d)) in seen.iter().zip(own).enumerate() {
+            poll_now_and_then(i, interrupt)?;
+            if !d.is_nan() {
+                size.push(d.abs());
+                independent += f64::from(s.independence);
+            }
+        }
         let mut quantile = |share: f64| match size.len() {
             0 => 0.0,
             n => f64::from(*size.select_nth_unstable_by(((n as f64 * share) as usize).min(n - 1), f32::total_cmp).1),
         };
-        let (most, bulk) = (quantile(WITHIN), quantile(BULK));
-        let spread = median(&mut on().map(|(_, d)| f64::from(d.abs())).collect::<Vec<_>>()).unwrap_or(0.0);
-        let random = spread.min(MAX_ROUGHNESS_M).powi(2) / independent.max(1.0);
+        let (most, bulk, half) = (quantile(WITHIN), quantile(BULK), quantile(0.5));
+        let random = half.min(MAX_ROUGHNESS_M).powi(2) / independent.max(1.0);
         let sd = (heard.common_variance(model) + random).sqrt();
-        Self { coherent, own: size.len() as u64, independent, quantile: most, bulk, sd }
+        Ok(Self { coherent, own: size.len() as u64, independent, quantile: most, bulk, sd })
     }
 
     /// How likely the surface keeps ±`tolerance` metres in the sense of USIBD.
