@@ -54,7 +54,7 @@ fn batches_and_threads_change_nothing() {
     }
     // Nothing hides either from the other: each by itself says the same.
     for ((solid, model), e) in objects.iter().zip(&one) {
-        assert_eq!(&alone(solid, *model, &all), e);
+        assert_eq!(alone(solid, *model, &all).stations(), e.stations());
     }
     let verdict = |e: &Evidence| e.verdict(e.model(), &VerdictRule::default(), NEVER).unwrap();
     assert_eq!((verdict(&one[0]), verdict(&one[1])), (Verdict::Confirmed, Verdict::Absent));

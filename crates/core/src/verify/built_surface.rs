@@ -15,8 +15,8 @@ const AGREES_SIGMAS: f64 = 3.0;
 /// … but no farther off than this, metres: rough surfaces, not clutter.
 const MAX_ROUGHNESS_M: f64 = 0.015;
 const MIN_ROUGHNESS_M: f64 = 0.001;
-/// A surface that was met in front of the drawn one is the built one only where this share of it was seen: of an edge
-/// that a neighbour covers, a strip beside the neighbour's end is.
+/// Where the neighbours are not known, a surface that was met in front of the drawn one is the built one only if this
+/// share of it was seen: of an edge that a neighbour covers, a strip beside the neighbour's end is.
 const BARED: f64 = 0.25;
 /// Samples by which a course is judged, at the most; spread evenly over the surface.
 const MAX_JUDGED: usize = 20_000;
@@ -140,7 +140,8 @@ impl Course {
         let middle =
             |of: &dyn Fn(&Met) -> f64| median(&mut own.iter().map(|m| of(m)).collect::<Vec<_>>()).unwrap_or(0.0);
         let centre = middle(&|m| course.consensus.at(&m.observed));
-        if centre > MAX_ROUGHNESS_M && (seen.len() as f64) < BARED * heard.samples as f64 {
+        let bared = seen.len() as f64 >= BARED * heard.samples as f64;
+        if centre > MAX_ROUGHNESS_M && !bared && !e.knows_neighbours {
             return Ok(None);
         }
         let noise = middle(&|m| m.random_variance);

@@ -90,8 +90,14 @@ impl Collector {
         model.spacing = Samples::effective_spacing(solid, model.spacing).min(EvidenceModel::MAX_SPACING_M);
         let balls = samples.balls(interrupt)?;
         let fingerprint = solid.fingerprint(interrupt)?;
-        let evidence = Evidence { model, fingerprint, bounds: solid.bounds(), samples, stations: Vec::new() };
+        let (bounds, stations) = (solid.bounds(), Vec::new());
+        let evidence = Evidence { model, fingerprint, bounds, samples, knows_neighbours: false, stations };
         Ok(Self { evidence, target: Target::new(solid, interrupt)?, balls, point_index: None })
+    }
+
+    /// Says that beams which other objects explain are left out of all that comes.
+    pub(super) fn know_neighbours(&mut self) {
+        self.evidence.knows_neighbours = true;
     }
 
     /// The evidence so far.

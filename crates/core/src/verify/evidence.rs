@@ -99,6 +99,8 @@ pub struct Evidence {
     pub(super) fingerprint: u32,
     pub(super) bounds: Aabb,
     pub(super) samples: Samples,
+    /// Whether beams that other objects explain were left out: all parts came from a [`super::Verifier`].
+    pub(super) knows_neighbours: bool,
     /// Ordered by number, then origin, so that equal evidence has equal bytes.
     pub(super) stations: Vec<Station>,
 }
@@ -183,6 +185,7 @@ impl Evidence {
             return mismatch("their samples differ");
         }
         self.samples.join_surfaces(&other.samples);
+        self.knows_neighbours &= other.knows_neighbours;
         for theirs in &other.stations {
             let i = self.station_index(theirs.id, theirs.place);
             self.stations[i].add(theirs, interrupt)?;

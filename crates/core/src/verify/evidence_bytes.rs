@@ -1,6 +1,6 @@
 //! The stored and transmitted form of evidence.
 //!
-//! Layout, little-endian, version 3: version u8, `'E'` u8, two-sided u8, 0 u8, fingerprint, faces, blocks, samples
+//! Layout, little-endian, version 3: version u8, `'E'` u8, two-sided u8, knows its neighbours u8, fingerprint, faces, blocks, samples
 //! and stations u32, reference 3×f64, box 6×f64, model; then per face its normal 3×f64 and its smooth surface (varint, at most its own number); blocks as (face varint, length
 //! u8); samples 3×f32; per station its number i64, origin 3×f64 (NaN: none, infinity: many), step f32, blocks present u32, and per block its number
 //! (varint, difference) and per sample the beams (varint) and, unless 0, five signed varints. Versions 1 and 2 have no surfaces (every face is one) and no steps.
@@ -26,7 +26,7 @@ impl Evidence {
     pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
         let s = &self.samples;
         let mut out = Vec::with_capacity(Self::HEADER_LEN + 12 * s.len() * (1 + self.stations.len()));
-        out.put(&[Self::VERSION, b'E', u8::from(s.two_sided), 0]);
+        out.put(&[Self::VERSION, b'E', u8::from(s.two_sided), u8::from(self.knows_neighbours)]);
         out.put_u32(self.fingerprint);
         for n in [s.normals.len(), s.blocks.len(), s.len(), self.stations.len()] {
             out.put_u32(n as u32);
@@ -78,13 +78,15 @@ impl Evidence {
             return Err(r.bad("its stations are not in order"));
         }
         r.finish()?;
-        Ok(Self { model: h.model, fingerprint: h.fingerprint, bounds: h.bounds, samples, stations })
+        let (fingerprint, bounds, knows_neighbours) = (h.fingerprint, h.bounds, h.knows_neighbours);
+        Ok(Self { model: h.model, fingerprint, bounds, samples, knows_neighbours, stations })
     }
 }
 
 struct RawHeader {
     version: u8,
     two_sided: bool,
+    knows_neighbours: bool,
     fingerprint: u32,
     counts: [u32; 4],
     reference: Vec3,
@@ -101,8 +103,7 @@ fn read_header(bytes: &[u8]) -> Result<(Reader<'_>, RawHeader)> {
     if version == 0 || version > Evidence::VERSION {
         return Err(Error::Version { ty: TY, found: version, known: Evidence::VERSION });
     }
-    let two_sided = r.u8()? != 0;
-    r.u8()?;
+    let (two_sided, knows_neighbours) = (r.u8()? != 0, r.u8()? != 0);
     let fingerprint = r.u32()?;
     let counts = [r.u32()?, r.u32()?, r.u32()?, r.u32()?];
     let reference = r.vec3()?;
@@ -112,7 +113,7 @@ fn read_header(bytes: &[u8]) -> Result<(Reader<'_>, RawHeader)> {
         return Err(r.bad("a coordinate is not finite"));
     }
     let model = EvidenceModel::read(&mut r)?;
-    Ok((r, RawHeader { version, two_sided, fingerprint, counts, reference, bounds, model }))
+    Ok((r, RawHeader { version, two_sided, knows_neighbours, fingerprint, counts, reference, bounds, model }))
 }
 
 fn unit(r: &mut Reader) -> Result<Vec3> {

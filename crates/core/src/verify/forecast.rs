@@ -41,7 +41,8 @@ impl Evidence {
     ) -> Result<Self> {
         let samples = Samples::on(solid, model.spacing, interrupt)?;
         let fingerprint = solid.fingerprint(interrupt)?;
-        let mut out = Self { model, fingerprint, bounds: solid.bounds(), samples, stations: Vec::new() };
+        let (bounds, stations_heard) = (solid.bounds(), Vec::new());
+        let mut out = Self { model, fingerprint, bounds, samples, knows_neighbours: true, stations: stations_heard };
         for (id, planned) in stations.iter().enumerate() {
             let at = out.station_index(id as i64 + 1, Place::At(planned.origin));
             let Self { samples, stations, .. } = &mut out;

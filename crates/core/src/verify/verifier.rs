@@ -46,7 +46,11 @@ pub struct Verifier {
 impl Verifier {
     /// Spreads samples over every solid.
     pub fn new(objects: &[(Solid, EvidenceModel)], threads: Threads, interrupt: Interrupt) -> Result<Self> {
-        let collectors = threads.map(objects, |(solid, model)| Collector::new(solid, *model, interrupt))?;
+        let collectors = threads.map(objects, |(solid, model)| {
+            let mut collector = Collector::new(solid, *model, interrupt)?;
+            collector.know_neighbours();
+            Ok(collector)
+        })?;
         Ok(Self { collectors, threads })
     }
 
