@@ -7,12 +7,13 @@ epoch=$1 out=$2
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$out"
 copy() { psql -XAtq -F ' ' -c "$1"; }
-copy "SELECT round(point[1]::numeric, 4), round(point[2]::numeric, 4), round(point[3]::numeric, 4)
+# Files that are there are taken as they are.
+[ -e "$out/scan.xyz" ] || copy "SELECT round(point[1]::numeric, 4), round(point[2]::numeric, 4), round(point[3]::numeric, 4)
       FROM scan, LATERAL ab_beams(patch) WHERE epoch = $epoch AND point IS NOT NULL" >"$out/scan.xyz"
-copy "SELECT round(s.position[1]::numeric, 4), round(s.position[2]::numeric, 4), round(s.position[3]::numeric, 4)
+[ -e "$out/model.xyz" ] || copy "SELECT round(s.position[1]::numeric, 4), round(s.position[2]::numeric, 4), round(s.position[3]::numeric, 4)
       FROM (SELECT ab_evidence_agg(solid, NULL, ab_evidence_model(spacing => 0.02)) AS e FROM building_object GROUP BY id) e,
            LATERAL ab_samples(e.e) s" >"$out/model.xyz"
-copy "COPY (SELECT ab_vertices(solid)::text || ';' || ab_triangles(solid)::text FROM building_object) TO STDOUT" | python3 -c "
+[ -e "$out/model.obj" ] || copy "COPY (SELECT ab_vertices(solid)::text || ';' || ab_triangles(solid)::text FROM building_object) TO STDOUT" | python3 -c "
 import sys
 offset = 1
 for line in sys.stdin:
