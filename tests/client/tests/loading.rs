@@ -287,7 +287,7 @@ fn a_killed_verify_leaves_no_query_behind() {
     db.asbuilt(&["simulate", text(&model), "--stations", text(&stations), "--step-mrad", "6", "--out", text(&scan)]);
     db.asbuilt(&["load", text(&scan)]);
     let mut client = db.connect();
-    let running = "SELECT count(*) FROM pg_stat_activity WHERE datname = current_database() AND query LIKE '%ab_summary%' AND state = 'active' AND pid <> pg_backend_pid()";
+    let running = "SELECT count(*) FROM pg_stat_activity WHERE datname = current_database() AND query LIKE '%ab_verify_table%' AND state = 'active' AND pid <> pg_backend_pid()";
     let mut child = db.command(&["verify", "--spacing", "0.005"]).stdout(std::process::Stdio::null()).spawn().unwrap();
     while count(&mut client, running) == 0 {
         assert!(child.try_wait().unwrap().is_none(), "verify was over before it could be killed");

@@ -5,6 +5,7 @@ use super::model::EvidenceModel;
 use super::reading::{Body, Reading, mass_of};
 use crate::evidence::{LogCommonality, Mass};
 use crate::geometry::Vec3;
+use crate::num::sort::sort;
 use crate::{Interrupt, Result, poll};
 
 /// A sample that enough beams spoke about.
@@ -97,10 +98,14 @@ impl Observations {
     /// Orders the samples by smooth surface, then by face.
     fn sort(&mut self, surface_of_face: &[u32], interrupt: Interrupt) -> Result<()> {
         let key = |s: &Seen| (surface_of_face[s.face as usize], s.face);
-        poll(interrupt)?;
-        // Blocks come face by face: runs are long, and the stable sort merges them.
-        self.seen.sort_by_key(key);
-        poll(interrupt)?;
+        // Samples come face by face; only the facets of curved surfaces lie apart.
+        if !self.seen.is_sorted_by_key(key) {
+            let place = |(i, s): (usize, &Seen)| (key(s), i as u32);
+            let mut order: Vec<_> = self.seen.iter().enumerate().map(place).collect();
+            sort(&mut order, interrupt)?;
+            self.seen = order.into_iter().map(|(_, i)| self.seen[i as usize]).collect();
+            poll(interrupt)?;
+        }
         let surfaces = surface_of_face.iter().max().map_or(0, |s| *s as usize + 1);
         let (mut surface_runs, mut face_runs) = (vec![0..0; surfaces], vec![0..0; surface_of_face.len()]);
         let mut start = 0;
