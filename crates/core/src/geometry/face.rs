@@ -12,8 +12,9 @@ use crate::{Interrupt, Result, poll_now_and_then};
 const MAX_TURN_COS: f64 = 0.990_268_068_741_570; // cos 8°
 /// … and whose corners lie no farther than this from its plane.
 const MAX_OFF_PLANE_M: f64 = 0.005;
-/// Faces that meet at no more than 30° are one smooth surface.
-const BLUNT_EDGE_COS: f64 = 0.866_025_403_784_438_6;
+/// Across an edge that turns by no more than 30° a surface goes on: a bit less than √3/2, so that a mantle of twelve
+/// facets is smooth however it is rounded.
+pub(crate) const BLUNT_EDGE_COS: f64 = 0.866;
 
 /// The faces of a solid.
 #[derive(Debug, Clone)]

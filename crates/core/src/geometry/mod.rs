@@ -17,6 +17,7 @@ pub(crate) use adjacency::Adjacency;
 pub use box_statistics::{BoxStatistics, Relation};
 pub use closedness::Closedness;
 pub use ewkb::SurfaceKind;
+pub(crate) use face::BLUNT_EDGE_COS;
 pub use face::{Faces, group_faces};
 pub use hilbert::hilbert;
 pub use orient::orient;

@@ -2,7 +2,7 @@
 
 use super::evidence::{Evidence, Station};
 use super::model::EvidenceModel;
-use super::reading::Reading;
+use super::reading::{Body, Reading};
 use super::sums::Sums;
 use crate::evidence::Mass;
 use crate::geometry::Vec3;
@@ -56,7 +56,7 @@ impl Evidence {
 impl SampleBelief {
     fn of(reading: &Reading, model: &EvidenceModel) -> Self {
         let (mass, in_front) = reading.mass(model);
-        let met = reading.bodies.iter().find(|b| !b.deviation.is_nan());
+        let met = Body::that_met(&reading.bodies);
         Self {
             mass,
             in_front,

@@ -2,6 +2,7 @@
 
 use super::consensus::{Consensus, Observed};
 use super::evidence::Evidence;
+use super::face::FaceReport;
 use super::model::EvidenceModel;
 use super::observe::{Heard, Observations, Seen};
 use crate::num::normal::cdf;
@@ -50,6 +51,8 @@ pub struct Built {
     pub surfaces: Vec<BuiltSurface>,
     /// All of them as one.
     pub whole: BuiltSurface,
+    /// For each face where it is; its samples are not counted yet.
+    pub(super) located: Vec<FaceReport>,
 }
 
 impl Built {
@@ -80,7 +83,9 @@ impl Built {
         }
         let coherent = surfaces.iter().any(|s| s.coherent);
         let whole = BuiltSurface::of(coherent, &observations.seen, &own, &all, model, interrupt)?;
-        Ok(Self { observations, own, surfaces, whole })
+        let mut built = Self { observations, own, surfaces, whole, located: Vec::new() };
+        built.locate(e, model, interrupt)?;
+        Ok(built)
     }
 }
 

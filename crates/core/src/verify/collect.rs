@@ -11,65 +11,15 @@ use super::sample::{BLOCK, Block, Samples};
 use super::sums::Sums;
 use super::surface_sums::KERNEL_SPACINGS;
 use super::target::Target;
+use super::unpacked::{Aim, Beams, Unpacked};
 use super::{ray_sums, surface_sums};
 use crate::geometry::{Solid, Vec3};
-use crate::scan::{Beam, Header, Origins, Patch, View, by_origin};
+use crate::scan::{Beam, Header, Origins, Patch, View};
 use crate::uncertain::Point;
 use crate::{Interrupt, Result, poll};
 
 /// The station number of tie points; their cameras tell themselves apart by their places.
 const TIE_POINTS: i64 = 0;
-
-/// A patch made ready for any number of objects.
-#[derive(Debug)]
-pub struct Unpacked {
-    header: Header,
-    beams: Beams,
-}
-
-#[derive(Debug)]
-enum Beams {
-    FromOne(Box<View>),
-    FromMany(Vec<View>),
-    /// Relative to the header's origin, metres.
-    Points(Vec<Vec3>),
-}
-
-/// What the beams of a patch are aimed at in one solid.
-#[derive(Debug)]
-pub(super) enum Aim {
-    /// None of it: the patch has nothing to say.
-    Aside,
-    /// The first crossing of every beam that crosses.
-    At(Vec<Crossing>),
-    /// To be found out beam by beam.
-    Unknown,
-}
-
-impl Unpacked {
-    /// Number of beams that start at one place; 0 for other patches.
-    pub(super) fn aimed_beams(&self) -> usize {
-        if let Beams::FromOne(view) = &self.beams { view.len() } else { 0 }
-    }
-
-    /// Unpacks a patch; its intensities only if they are asked for.
-    pub fn of(patch: &[u8], with_intensities: bool) -> Result<Self> {
-        let unpack = if with_intensities { Patch::content_of } else { Patch::beams_of };
-        let (header, content) = unpack(patch)?;
-        let beams = match header.origins() {
-            Origins::One => {
-                let intensities = content.intensity.as_deref();
-                Beams::FromOne(Box::new(View::with_intensities(header.clone(), &content.beams, intensities)))
-            }
-            Origins::Each => {
-                let by_place = by_origin(&header, &content)?;
-                Beams::FromMany(by_place.into_iter().map(|(header, beams)| View::new(header, &beams)).collect())
-            }
-            Origins::Unknown => Beams::Points(content.beams.iter().filter(|b| b.returned).map(|b| b.offset).collect()),
-        };
-        Ok(Self { header, beams })
-    }
-}
 
 /// Evidence in the making: the value, and the solid made ready for beams.
 #[derive(Debug)]
@@ -138,13 +88,9 @@ impl Collector {
         if !self.concerns(&Header::read(patch)?) {
             return Ok(());
         }
-        self.absorb_unpacked(&Unpacked::of(patch, self.evidence.model.intensity.is_some())?, interrupt)
-    }
-
-    /// The same for a patch that is unpacked already.
-    pub fn absorb_unpacked(&mut self, patch: &Unpacked, interrupt: Interrupt) -> Result<()> {
-        let aim = self.aim(patch, interrupt)?;
-        self.absorb_aimed(patch, &aim, None, interrupt)
+        let patch = Unpacked::of(patch, self.evidence.model.intensity.is_some())?;
+        let aim = self.aim(&patch, interrupt)?;
+        self.absorb_aimed(&patch, &aim, None, interrupt)
     }
 
     /// Where the beams of a patch from one place would cross the solid.

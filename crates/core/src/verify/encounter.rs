@@ -4,7 +4,7 @@ use super::crossing::Crossing;
 use super::foot::Foot;
 use super::model::EvidenceModel;
 use super::target::Target;
-use crate::geometry::Vec3;
+use crate::geometry::{BLUNT_EDGE_COS, Vec3};
 use crate::scan::{AngularGrid, View};
 
 /// Fixed-point unit of a weight.
@@ -16,8 +16,6 @@ pub const DEVIATION: f64 = 131_072.0;
 const EXPLAINED_M: f64 = 0.01;
 /// What was drawn as another object and stands farther than this in front of a face hides it, metres.
 const HIDDEN_M: f64 = 0.02;
-/// A foot on a facet that turns by more than 30° from the one aimed at is none.
-const MIN_TURN_COS: f64 = 0.866;
 
 /// What one beam saw.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -154,7 +152,7 @@ fn encounter(
     if let Some(Foot { triangle, place }) = target.foot(crossing.triangle, &met) {
         let there = crossing.turned(target, triangle);
         // Moved by as much as it is round, its nearest places crowd on few facets and leave the others unheard.
-        let near = there.dot(&normal) >= MIN_TURN_COS;
+        let near = there.dot(&normal) >= BLUNT_EDGE_COS;
         if let (true, Some(e)) = (near, at(place - origin, there, fixed((met - place).dot(&there)))) {
             return Some(e);
         }

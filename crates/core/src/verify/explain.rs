@@ -4,21 +4,23 @@ use std::fmt::Write;
 
 use super::built_surface::{Built, BuiltSurface};
 use super::evidence::Evidence;
+use super::judgement::{Judgement, MIN_EMPTY, Totals};
 use super::model::{EvidenceModel, ModelKind};
-use super::summary::{Summary, Totals, Verdict, VerdictRule};
+use super::summary::{Verdict, VerdictRule};
 use crate::evidence::Loa;
 use crate::{Interrupt, Result};
 
 impl Evidence {
     /// Why the verdict is what it is: what was seen, what that says, which threshold decided, why no finer class holds.
     pub fn explain(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<String> {
-        let summary = self.summary(model, rule, interrupt)?;
-        let model = EvidenceModel { confidence: model.confidence, loa: model.loa, ..*self.model() };
+        let model = self.question(model);
         let built = Built::of(self, &model, interrupt)?;
-        let totals = Totals::of(&built.faces(self, &model, interrupt)?);
+        let judgement = Judgement::of(&built, &model, rule, interrupt)?;
+        let best_loa = self.summary_of(&built, &judgement, &model, rule, interrupt)?.best_loa;
+        let totals = &judgement.totals;
         let mut out = format!(
             "{} at {} (±{} mm), model {}, confidence {}\n",
-            summary.verdict.name(),
+            judgement.verdict.name(),
             model.loa.name(),
             model.tolerance() * 1e3,
             model.kind.name(),
@@ -34,57 +36,55 @@ impl Evidence {
             percent_of(rule.min_coverage)
         );
         if totals.seen > 0 {
-            out += &self.what_they_say(&totals, &model);
-            out += &decision(&summary, &totals, rule);
+            out += &what_they_say(totals, &model);
+            out += &decision(judgement.verdict, totals, rule);
         }
         if model.kind == ModelKind::Surface && totals.own > 0 {
-            out += &surfaces(&built, &model, summary.best_loa);
+            out += &surfaces(&built, &model, best_loa);
         }
         Ok(out.trim_end().into())
     }
-
-    fn what_they_say(&self, totals: &Totals, model: &EvidenceModel) -> String {
-        let mut out = format!(
-            "of these: {} confirmed, {} refuted, {} open\n",
-            percent(totals.confirmed, totals.seen),
-            percent(totals.refuted, totals.seen),
-            percent(totals.seen - totals.confirmed - totals.refuted, totals.seen)
-        );
-        if model.kind == ModelKind::Surface {
-            let _ = writeln!(
-                out,
-                "the object's own surface: {} samples, {} of them beyond the tolerance; seen empty: {}; other things in front, \
-                or too unsure: {}",
-                totals.own,
-                percent(totals.beyond, totals.own),
-                totals.pierced,
-                totals.seen.saturating_sub(totals.own + totals.pierced)
-            );
-            let _ = writeln!(out, "conflict between stations: {:.3}", totals.conflict / totals.seen as f64);
-        }
-        out
-    }
 }
 
-fn decision(summary: &Summary, totals: &Totals, rule: &VerdictRule) -> String {
-    let here = totals.confirmed.max(totals.own - totals.beyond);
-    let decided = here + totals.beyond + totals.pierced;
-    let why = match summary.verdict {
+fn what_they_say(totals: &Totals, model: &EvidenceModel) -> String {
+    let mut out = format!(
+        "of these: {} confirmed, {} refuted, {} open\n",
+        percent(totals.confirmed, totals.seen),
+        percent(totals.refuted, totals.seen),
+        percent(totals.open(), totals.seen)
+    );
+    if model.kind == ModelKind::Surface {
+        let _ = writeln!(
+            out,
+            "the object's own surface: {} samples, {} of them beyond the tolerance; seen empty: {}; other things in front, \
+            or too unsure: {}",
+            totals.own,
+            percent(totals.beyond, totals.own),
+            totals.pierced,
+            totals.seen.saturating_sub(totals.own + totals.pierced)
+        );
+        let _ = writeln!(out, "conflict between stations: {:.3}", totals.conflict / totals.seen as f64);
+    }
+    out
+}
+
+fn decision(verdict: Verdict, totals: &Totals, rule: &VerdictRule) -> String {
+    let (in_place, decided) = (percent(totals.in_place(), totals.decided()), totals.decided());
+    let why = match verdict {
         Verdict::Unobserved => "too little was seen, decided, or sure enough for this tolerance".into(),
         Verdict::Conflicting => format!("stations contradict each other by more than {}", rule.max_conflict),
         Verdict::Absent => {
-            format!("{} of what is decided was seen empty, more than 60 %", percent(totals.pierced, decided))
+            let empty = percent(totals.pierced, decided);
+            format!("{empty} of what is decided was seen empty, more than {}", percent_of(MIN_EMPTY))
         }
         Verdict::Deviating => format!(
             "a well-seen surface keeps the tolerance in less than {} of its places, a face is mostly not there, or too little \
-            of what is decided ({}) is in place",
-            percent_of(rule.min_confirmed.max(0.75)),
-            percent(here, decided)
+            of what is decided ({in_place}) is in place",
+            percent_of(rule.min_within())
         ),
         Verdict::Confirmed => format!(
-            "{} of what is decided is in place, and every well-seen surface keeps the tolerance in {} of its places",
-            percent(here, decided),
-            percent_of(rule.min_confirmed.max(0.75))
+            "{in_place} of what is decided is in place, and every well-seen surface keeps the tolerance in {} of its places",
+            percent_of(rule.min_within())
         ),
     };
     format!("because: {why}\n")

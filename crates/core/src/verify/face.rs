@@ -24,9 +24,9 @@ pub struct FaceReport {
     pub refuted: u64,
     /// Of the refuted: nothing of the object there, the space was seen empty.
     pub pierced: u64,
-    /// Samples at which the object's own surface was seen, and of these the ones beyond the tolerance.
+    /// Samples at which the object's own surface was seen.
     pub own: u64,
-    /// … beyond the tolerance.
+    /// Of these the ones beyond the tolerance.
     pub beyond: u64,
     /// Samples at which any surface was seen within the search band.
     pub surface: u64,
@@ -54,19 +54,33 @@ impl FaceReport {
 
 impl Built {
     /// A report for each face, at the tolerance and confidence of `model`.
-    pub fn faces(&self, e: &Evidence, model: &EvidenceModel, interrupt: Interrupt) -> Result<Vec<FaceReport>> {
-        let mut out = Vec::with_capacity(self.observations.faces.len());
-        for face in 0..self.observations.faces.len() {
+    pub fn faces(&self, model: &EvidenceModel, interrupt: Interrupt) -> Result<Vec<FaceReport>> {
+        let count = |(face, located): (usize, &FaceReport)| {
             poll(interrupt)?;
-            let mut report = self.located(face, e, model, interrupt)?;
+            let mut report = located.clone();
             self.count(face, model, &mut report, interrupt)?;
-            out.push(report);
-        }
-        Ok(out)
+            Ok(report)
+        };
+        self.located.iter().enumerate().map(count).collect()
     }
 
-    /// Where the face is: the part of the report that no level of accuracy changes.
-    fn located(&self, face: usize, e: &Evidence, model: &EvidenceModel, interrupt: Interrupt) -> Result<FaceReport> {
+    /// Where each face is: the part of the reports that no level of accuracy changes.
+    pub(super) fn locate(&mut self, e: &Evidence, model: &EvidenceModel, interrupt: Interrupt) -> Result<()> {
+        let face = |face| {
+            poll(interrupt)?;
+            self.located_face(face, e, model, interrupt)
+        };
+        self.located = (0..self.observations.faces.len()).map(face).collect::<Result<_>>()?;
+        Ok(())
+    }
+
+    fn located_face(
+        &self,
+        face: usize,
+        e: &Evidence,
+        model: &EvidenceModel,
+        interrupt: Interrupt,
+    ) -> Result<FaceReport> {
         let o = &self.observations;
         let run = o.faces[face].clone();
         let smooth_surface = e.samples.surface_of_face[face];

@@ -2,8 +2,9 @@
 //!
 //! [`EvidenceModel`] holds the parameters. [`Samples`] are spread over the solid's faces. A [`Collector`] takes
 //! scan patches one by one: it finds where each beam would cross the solid, and adds what that beam saw there to
-//! the sums of the samples around ([`Sums`]). A [`Verifier`] does so for many solids at once. The result is [`Evidence`], a value that can be stored, added up
-//! and asked: per sample for its belief, per object for a [`Summary`].
+//! the sums of the samples around ([`Sums`]). A [`Verifier`] does so for many solids at once. The result is
+//! [`Evidence`], a value that can be stored, added up and asked: per sample for its belief, per object for a
+//! [`Summary`].
 
 mod belief;
 mod built_surface;
@@ -18,6 +19,7 @@ mod face;
 mod foot;
 mod forecast;
 mod intensity;
+mod judgement;
 mod model;
 mod observe;
 mod point_index;
@@ -30,10 +32,11 @@ mod sums;
 mod surface_points;
 mod surface_sums;
 mod target;
+mod unpacked;
 mod verifier;
 
 pub use belief::SampleBelief;
-pub use collect::{Collector, Unpacked};
+pub use collect::Collector;
 pub use evidence::{Evidence, EvidenceHeader, Place, Station};
 pub use face::FaceReport;
 pub use forecast::PlannedStation;

@@ -78,12 +78,8 @@ impl Observations {
         self.rays.extend(reading.rays);
         let bodies = reading.bodies.len().min(255);
         self.bodies.extend(&reading.bodies[..bodies]);
-        let shares = &mut self.heard[face as usize].shares;
         for &(station, share) in &reading.shares {
-            match shares.iter_mut().find(|s| s.0 == station as u32) {
-                Some(s) => s.1 += share,
-                None => shares.push((station as u32, share)),
-            }
+            self.heard[face as usize].add_share(station as u32, share);
         }
         self.seen.push(Seen {
             position,
@@ -123,7 +119,7 @@ impl Observations {
 
     /// The body that tells where the surface is; `None` where no beam met one.
     pub fn surface_body(&self, s: &Seen) -> Option<&Body> {
-        self.bodies_of(s).iter().find(|b| !b.deviation.is_nan())
+        Body::that_met(self.bodies_of(s))
     }
 
     /// Combined mass at `model`'s tolerance, and belief that a surface stands in front of the face.
@@ -164,10 +160,14 @@ impl Heard {
     pub fn add(&mut self, other: &Self) {
         self.samples += other.samples;
         for &(station, share) in &other.shares {
-            match self.shares.iter_mut().find(|s| s.0 == station) {
-                Some(s) => s.1 += share,
-                None => self.shares.push((station, share)),
-            }
+            self.add_share(station, share);
+        }
+    }
+
+    fn add_share(&mut self, station: u32, share: f64) {
+        match self.shares.iter_mut().find(|s| s.0 == station) {
+            Some(s) => s.1 += share,
+            None => self.shares.push((station, share)),
         }
     }
 }

@@ -168,7 +168,7 @@ impl Reading {
                     && v.deviation.is_nan() == through
                     && (through || (v.deviation - d).abs() <= (SAME_SURFACE_SIGMAS * spread).max(SAME_SURFACE_M))
             };
-            let mut sum = BodySum::default();
+            let mut sum = BodySum { not_trusted: 1.0, ..BodySum::default() };
             self.voices.retain(|v| {
                 let joins = agrees(v);
                 if joins {
@@ -230,6 +230,11 @@ pub fn mass_of(bodies: &[Body], model: &EvidenceModel) -> (Mass, f64) {
 }
 
 impl Body {
+    /// The first that tells where the surface is; `None` where no beam met one.
+    pub fn that_met(bodies: &[Self]) -> Option<&Self> {
+        bodies.iter().find(|b| !b.deviation.is_nan())
+    }
+
     /// σ of the deviation, metres.
     pub fn sd(&self) -> f64 {
         f64::from(self.random_variance + self.common_variance).sqrt()
@@ -260,7 +265,8 @@ struct BodySum {
     deviation: f64,
     random: f64,
     common: f64,
-    not_trusted: Option<f64>,
+    /// Product of 1 − trust.
+    not_trusted: f64,
     trust: f64,
     hit: f64,
 }
@@ -274,7 +280,7 @@ impl BodySum {
         self.deviation += weight * v.deviation;
         self.random += weight * weight * v.random_variance;
         self.common += weight * weight * station_variance;
-        *self.not_trusted.get_or_insert(1.0) *= 1.0 - v.trust;
+        self.not_trusted *= 1.0 - v.trust;
         self.trust += v.trust;
         self.hit += v.trust * v.hit_share;
     }
@@ -286,7 +292,7 @@ impl BodySum {
             random_variance: (self.random / w2) as f32,
             // The model's own error is common to all stations.
             common_variance: (self.common / w2 + model.sigma_model.powi(2)) as f32,
-            trust: (1.0 - self.not_trusted.unwrap_or(1.0)) as f32,
+            trust: (1.0 - self.not_trusted) as f32,
             hit_share: (self.hit / self.trust) as f32,
             has_rays,
             stations: self.weights.len().min(255) as u8,

@@ -1,15 +1,16 @@
 //! The `surface` model's sums: which beams met the built surface near a sample, and how far off.
 //!
-//! A beam belongs to the samples around the place X where it would cross the drawn face (not around the foot of
-//! its return): neighbouring surfaces at concave corners, openings and silhouettes then never speak for a face
-//! they are not on. Its weight at a sample Q is 2^(−ρ²/s²), with ρ the distance of X from the sight line to Q
-//! and s the local spacing of the beams: ln 2/s² of the source, already stretched along a slope.
+//! A beam belongs to the samples around one place X of the drawn surface: the foot of its return, walked to from where
+//! the beam crosses the surface, or that crossing where no walk leads to the foot (`foot`). Neighbouring surfaces at
+//! concave corners, openings and silhouettes then never speak for a face they are not on. Its weight at a sample Q is
+//! 2^(−ρ²/s²), with ρ the distance of X from the sight line to Q and s the local spacing of the beams: ln 2/s² of the
+//! source, already stretched along a slope.
 
 use std::sync::LazyLock;
 
 use super::encounter::{DEVIATION, Encounters, Seen, WEIGHT};
 use super::sums::Sums;
-use crate::geometry::Vec3;
+use crate::geometry::{BLUNT_EDGE_COS, Vec3};
 use crate::scan::View;
 
 /// Beyond this many spacings the kernel (1/16 there) is cut off.
@@ -19,10 +20,8 @@ pub(super) const BEAMS_IN_KERNEL: f64 = 9.064_720_283_654_387;
 /// Mean weight of the beams within the kernel: (1 − 2⁻⁴)/(4 ln 2).
 pub(super) const MEAN_WEIGHT: f64 = 0.338_132_187_4;
 /// A crossing may lie this far off the sample's plane, relative to its distance across the sight line: a
-/// neighbouring facet of a curve.
+/// neighbouring facet of a curve, whose normal may turn by 30°.
 const MAX_RISE: f64 = 0.35;
-/// … and its normal turn by this much (cos 30°).
-const MIN_TURN_COS: f64 = 0.866;
 
 /// The kernel 2^(−ρ²/s²) by ρ²/s², in fixed point; the steps are a thousandth of its height.
 static KERNEL: LazyLock<[u16; KERNEL_STEPS + 1]> = LazyLock::new(|| {
@@ -63,7 +62,8 @@ pub fn gather(view: &View, encounters: &Encounters, offset: &Vec3, normal: &Vec3
 /// Whether a place `rise` metres off the sample's plane lies on the sample's own surface, not on a parallel one
 /// behind it, and where their normals have this scalar product.
 fn goes_on(rise: f32, lateral_squared: f32, turn_cos: f32) -> bool {
-    turn_cos >= MIN_TURN_COS as f32 && (rise <= 0.002 || rise * rise <= (MAX_RISE * MAX_RISE) as f32 * lateral_squared)
+    turn_cos >= BLUNT_EDGE_COS as f32
+        && (rise <= 0.002 || rise * rise <= (MAX_RISE * MAX_RISE) as f32 * lateral_squared)
 }
 
 fn add(seen: Seen, weight: i64, sums: &mut Sums) {
@@ -80,7 +80,7 @@ fn add(seen: Seen, weight: i64, sums: &mut Sums) {
 /// Whether a crossing at `v` from the sample lies on the sample's own surface, not on a parallel one behind it.
 pub(super) fn same_surface(v: &Vec3, lateral: f64, normal_there: &Vec3, normal_here: &Vec3) -> bool {
     let rise = v.dot(normal_here).abs();
-    normal_there.dot(normal_here) >= MIN_TURN_COS && (rise <= 0.002 || rise <= MAX_RISE * lateral)
+    normal_there.dot(normal_here) >= BLUNT_EDGE_COS && (rise <= 0.002 || rise <= MAX_RISE * lateral)
 }
 
 fn shared(weight: i64, share: f32) -> i64 {

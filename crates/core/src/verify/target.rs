@@ -1,12 +1,10 @@
 //! A solid made ready for beams: its triangles, who their neighbours are, and balls to cull them by.
 
-use crate::geometry::{Adjacency, Closedness, Solid, Vec3};
+use crate::geometry::{Adjacency, BLUNT_EDGE_COS, Closedness, Solid, Vec3};
 use crate::{Interrupt, Result, poll_now_and_then};
 
 /// Triangles of one culling chunk.
 const CHUNK: usize = 32;
-/// Across an edge that turns by no more than 30° the surface goes on.
-const BLUNT_EDGE_COS: f64 = 0.866_025_403_784_438_6;
 /// Corners nearer to each other than this are one, metres.
 const SAME_CORNER_M: f64 = 1e-6;
 

@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
-use super::collect::{Aim, Collector, Unpacked};
+use super::collect::Collector;
 use super::evidence::Evidence;
 use super::model::EvidenceModel;
+use super::unpacked::{Aim, Unpacked};
 use crate::geometry::Solid;
-use crate::scan::Header;
 use crate::{Interrupt, Result, poll};
 
 /// Where the work is done.
@@ -54,14 +54,10 @@ impl Verifier {
         Ok(Self { collectors, threads })
     }
 
-    /// Whether a patch can say anything of any object, by its header alone.
-    pub fn concerns(&self, header: &Header) -> bool {
-        self.collectors.iter().any(|c| c.concerns(header))
-    }
-
     /// Adds what a batch of packed patches says; all are unpacked at once. Objects know each other here: a beam that
-    /// met one of them where it is drawn does not displace another one's face behind it (cladding, a wall's end). The evidence is the same to the last bit
-    /// whatever the batches and threads: it is made of integer sums, and each object adds up its own.
+    /// met one of them where it is drawn does not displace another one's face behind it (cladding, a wall's end). The
+    /// evidence is the same to the last bit whatever the batches and threads: it is made of integer sums, and each
+    /// object adds up its own.
     pub fn absorb<P: AsRef<[u8]> + Sync>(&mut self, patches: &[P], interrupt: Interrupt) -> Result<()> {
         let with_intensities = self.collectors.iter().any(|c| c.evidence().model().intensity.is_some());
         let unpacked = self.threads.map(patches, |p| {

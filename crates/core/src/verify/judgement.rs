@@ -1,0 +1,213 @@
+//! How the counts of an object's faces become a verdict.
+
+use super::built_surface::{Built, BuiltSurface};
+use super::face::FaceReport;
+use super::model::{EvidenceModel, ModelKind};
+use super::summary::{Verdict, VerdictRule};
+use crate::{Interrupt, Result};
+
+/// Least number of seen samples for a verdict.
+const MIN_SEEN: u64 = 5;
+/// Share of the decided samples that must have been seen empty before the object is absent: more than half, for the
+/// lee side of a displaced object is empty too.
+pub(super) const MIN_EMPTY: f64 = 0.6;
+/// Least share of the seen samples that must say something; below it everything is open.
+const MIN_DECIDED: f64 = 0.2;
+/// Least share of the seen samples that must speak for the object before it is confirmed, where its surface as a whole
+/// is not known.
+const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
+/// A surface counts as well seen with this share of the object's samples that have one.
+const WELL_SEEN_SHARE: f64 = 0.03;
+const WELL_SEEN_SAMPLES: u64 = 10;
+/// Least share of a surface that must keep the tolerance before it counts as displaced, unless more is asked: a ceiling
+/// of which a corner sags is still where it was drawn. [`Summary::best_loa`](super::Summary::best_loa) asks for 95 %.
+const MIN_WITHIN: f64 = 0.75;
+/// Least share of the decided samples that must show the object in place, however strict the rule is about where its
+/// surfaces are: openings and furniture take the rest.
+const MIN_PRESENT: f64 = 0.6;
+/// A face with this share of the seen samples can condemn the object by being pierced.
+const LARGE_FACE_SHARE: f64 = 0.1;
+/// A face is certainly off when its deviation is this many σ: the largest of several that are not seldom is.
+const CERTAINLY_OFF: f64 = 3.0;
+
+/// A verdict with all that it was made from.
+pub(super) struct Judgement {
+    pub verdict: Verdict,
+    pub faces: Vec<FaceReport>,
+    pub totals: Totals,
+    /// For each smooth surface whether too little of it keeps the tolerance.
+    displaced: Vec<bool>,
+}
+
+/// The faces' counts added up.
+pub(super) struct Totals {
+    pub samples: u64,
+    pub seen: u64,
+    pub confirmed: u64,
+    pub refuted: u64,
+    pub pierced: u64,
+    pub own: u64,
+    pub beyond: u64,
+    surface: u64,
+    pub conflict: f64,
+}
+
+impl Totals {
+    pub fn of(faces: &[FaceReport]) -> Self {
+        let sum = |f: fn(&FaceReport) -> u64| faces.iter().map(f).sum();
+        Self {
+            samples: sum(|f| f.samples),
+            seen: sum(|f| f.seen),
+            confirmed: sum(|f| f.confirmed),
+            refuted: sum(|f| f.refuted),
+            pierced: sum(|f| f.pierced),
+            own: sum(|f| f.own),
+            beyond: sum(|f| f.beyond),
+            surface: sum(|f| f.surface),
+            conflict: faces.iter().map(|f| f.conflict).sum(),
+        }
+    }
+
+    /// Whether enough was seen to judge at all.
+    pub fn cover(&self, rule: &VerdictRule) -> bool {
+        self.seen > 0
+            && self.seen >= MIN_SEEN.min(self.samples)
+            && self.seen as f64 >= rule.min_coverage * self.samples as f64
+    }
+
+    /// Seen samples that are neither confirmed nor refuted.
+    pub fn open(&self) -> u64 {
+        self.seen - self.confirmed - self.refuted
+    }
+
+    /// Samples that speak for the object where it was drawn; [`Totals::beyond`] show it elsewhere,
+    /// [`Totals::pierced`] that it is not there.
+    pub fn in_place(&self) -> u64 {
+        (self.own - self.beyond).max(self.confirmed)
+    }
+
+    /// Samples that say one of the three.
+    pub fn decided(&self) -> u64 {
+        self.in_place() + self.beyond + self.pierced
+    }
+}
+
+impl VerdictRule {
+    /// Share of a well-seen surface that must keep the tolerance.
+    pub(super) fn min_within(&self) -> f64 {
+        self.min_confirmed.max(MIN_WITHIN)
+    }
+}
+
+impl Judgement {
+    /// Judges at the tolerance and confidence of `model`.
+    pub fn of(built: &Built, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Self> {
+        let faces = built.faces(model, interrupt)?;
+        let totals = Totals::of(&faces);
+        let displaced = displaced_surfaces(&faces, &totals, built, rule.min_within());
+        let mut out = Self { verdict: Verdict::Unobserved, faces, totals, displaced };
+        out.verdict = out.decide(built, model, rule);
+        Ok(out)
+    }
+
+    fn decide(&self, built: &Built, model: &EvidenceModel, rule: &VerdictRule) -> Verdict {
+        let totals = &self.totals;
+        let (seen, decided) = (totals.seen as f64, totals.decided() as f64);
+        if !totals.cover(rule) {
+            return Verdict::Unobserved;
+        }
+        // Before "undecided": contradiction is what leaves samples open. The ray model's conflict says nothing of this
+        // kind.
+        if model.kind == ModelKind::Surface && totals.conflict > rule.max_conflict * seen {
+            return Verdict::Conflicting;
+        }
+        if decided == 0.0 || decided < MIN_DECIDED * seen {
+            return Verdict::Unobserved;
+        }
+        if totals.pierced as f64 > MIN_EMPTY * decided {
+            return Verdict::Absent;
+        }
+        let least = rule.min_confirmed.min(MIN_PRESENT);
+        if self.displaced.contains(&true)
+            || self.faces.iter().any(|f| mostly_pierced(f, totals))
+            || (totals.in_place() as f64) < least * decided
+        {
+            return Verdict::Deviating;
+        }
+        // Too rough or too noisy for this tolerance; the ray model leaves most open by its nature.
+        let known = built.whole.is_known_to_hold(model.tolerance());
+        if model.kind == ModelKind::Surface && !known && (totals.confirmed as f64) < MIN_CONFIRMED_OF_SEEN * seen {
+            return Verdict::Unobserved;
+        }
+        Verdict::Confirmed
+    }
+
+    /// The face whose deviation stands for the object: of those that are certainly off the farthest, else the largest.
+    /// Taking the farthest of all would report noise wherever nothing is off. A displaced object is judged by what is.
+    pub fn worst_face(&self) -> Option<&FaceReport> {
+        let (totals, displaced) = (&self.totals, &self.displaced);
+        let any = displaced.contains(&true);
+        let judged = |f: &&FaceReport| {
+            let d = !any || displaced.get(f.smooth_surface as usize) == Some(&true);
+            d && f.deviation.is_some() && f.surface >= WELL_SEEN_SAMPLES.min(totals.surface)
+        };
+        let well_seen = |f: &FaceReport| counts(f.surface, totals.surface);
+        let certainly_off = |f: &FaceReport| {
+            f.deviation.map_or(0.0, |(d, sd)| if any || d.abs() > CERTAINLY_OFF * sd { d.abs() } else { 0.0 })
+        };
+        let order = |a: &&FaceReport, b: &&FaceReport| {
+            a.coherent
+                .cmp(&b.coherent)
+                .then(well_seen(a).cmp(&well_seen(b)))
+                .then(certainly_off(a).total_cmp(&certainly_off(b)))
+                .then(a.surface.cmp(&b.surface))
+        };
+        self.faces.iter().filter(judged).max_by(order)
+    }
+}
+
+impl Built {
+    /// Whether every well-seen surface, and all as one, keep ±`tolerance` metres with this probability.
+    pub(super) fn is_proven(&self, tolerance: f64, probability: f64) -> bool {
+        let own = self.whole.own;
+        let holds = |s: &BuiltSurface| s.holds(tolerance) >= probability;
+        self.surfaces.iter().all(|s| !counts(s.own, own) || holds(s)) && (own == 0 || holds(&self.whole))
+    }
+}
+
+/// Whether a part of the object's own samples is enough to count.
+fn counts(part: u64, whole: u64) -> bool {
+    part >= WELL_SEEN_SAMPLES.min(whole) && part as f64 >= WELL_SEEN_SHARE * whole as f64
+}
+
+/// For each smooth surface whether less than `min_within` of it keeps the tolerance; where that holds of the whole object
+/// although of none of its surfaces, all.
+fn displaced_surfaces(faces: &[FaceReport], totals: &Totals, built: &Built, min_within: f64) -> Vec<bool> {
+    let mut sums = vec![(0, 0); built.surfaces.len()];
+    for f in faces {
+        if let Some(s) = sums.get_mut(f.smooth_surface as usize) {
+            *s = (s.0 + f.own, s.1 + f.beyond);
+        }
+    }
+    let allowed = |s: &BuiltSurface| {
+        let share = 1.0 - min_within;
+        share + 2.0 * (share * min_within / s.independent.max(1.0)).sqrt()
+    };
+    // Two σ of chance more than allowed.
+    let off = |s: &BuiltSurface, own: u64, beyond: u64| beyond as f64 > allowed(s) * own as f64;
+    let each = |(s, (own, beyond)): (&BuiltSurface, &(u64, u64))| counts(*own, totals.own) && off(s, *own, *beyond);
+    let mut out: Vec<bool> = built.surfaces.iter().zip(&sums).map(each).collect();
+    if !out.contains(&true) && totals.own > 0 && off(&built.whole, totals.own, totals.beyond) {
+        out.iter_mut().for_each(|o| *o = true);
+    }
+    out
+}
+
+/// A face with a fair share of what was seen, most of it not there: part of the object was not built.
+fn mostly_pierced(face: &FaceReport, totals: &Totals) -> bool {
+    let decided = (face.confirmed.max(face.own) + face.pierced) as f64;
+    face.seen >= WELL_SEEN_SAMPLES
+        && face.seen as f64 >= LARGE_FACE_SHARE * totals.seen as f64
+        && decided >= 0.5 * face.seen as f64
+        && face.pierced as f64 > 0.5 * decided
+}
