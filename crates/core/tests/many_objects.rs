@@ -77,6 +77,26 @@ fn a_drawn_cladding_does_not_displace_the_wall_behind_it() {
     assert_eq!(verdict(&both[1]), Verdict::Deviating);
 }
 
+/// What nobody drew stands in front of a face; the face is behind it, however little of it is left to see.
+#[test]
+fn a_cupboard_does_not_displace_the_wall_that_it_hides() {
+    let model = EvidenceModel::default();
+    let wall = Solid::cuboid([5.0, -1.2, -1.2], [5.2, 1.2, 1.2]).unwrap();
+    let judged = |hidden: f64| {
+        let edge = (128.0 * hidden) as usize;
+        let seen = patches(1, Vec3::zeros(), |i| if i % 128 < edge { 4.9 } else { 5.004 }, None);
+        alone(&wall, model, &seen).summary(&model, &VerdictRule::default(), NEVER).unwrap()
+    };
+    for hidden in [0.3, 0.5, 0.65] {
+        let s = judged(hidden);
+        assert_eq!(s.verdict, Verdict::Confirmed, "{hidden}");
+        let (deviation, sd) = s.deviation.unwrap();
+        assert!((deviation + 0.004).abs() < 3.0 * sd, "{hidden}: {deviation} ± {sd}");
+    }
+    // All of it in front: the wall itself was built there.
+    assert_eq!(judged(1.0).verdict, Verdict::Deviating);
+}
+
 #[test]
 fn dark_beams_are_worth_less() {
     let wall = Solid::cuboid([5.0, -1.0, -1.0], [5.2, 1.0, 1.0]).unwrap();

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use crate::building::{Building, Object};
 use crate::built::{Built, Case, Fate};
 use crate::survey::Survey;
-use crate::truth::{BuiltSurface, Expected, SampleTruth, expected, sight};
+use crate::truth::{BuiltSurface, Expected, SampleTruth, Viewpoints, expected, sight};
 
 /// Samples of an object whose truth is looked up, at the most.
 const MAX_TRUTHS: usize = 4000;
@@ -161,6 +161,7 @@ impl Setup {
             sigma_range: s.sigma_range,
             sigma_angle: s.sigma_angle,
             sigma_station: s.sigma_registration,
+            max_incidence: self.survey.max_incidence,
             ..EvidenceModel::default()
         }
     }
@@ -169,12 +170,13 @@ impl Setup {
         let surface = BuiltSurface::new(fate.solid.as_ref());
         let stride = evidence.samples().len().div_ceil(MAX_TRUTHS).max(1);
         let faces: Vec<usize> = evidence.samples().face_of_each().collect();
+        let Survey { scanner, max_incidence, .. } = self.survey;
+        let view = Viewpoints { stations: &self.stations, step: scanner.step, max_incidence };
         let (mut out, mut i) = (Vec::new(), 0);
         evidence.for_each_sample(model, NEVER, |position, normal, belief| {
             if i % stride == 0 {
                 let area = model.spacing * model.spacing * stride as f64;
-                let step = self.survey.scanner.step;
-                let sight = sight(&self.scene, &self.stations, step, area, position, normal);
+                let sight = sight(&self.scene, &view, area, position, normal);
                 let truth = surface.at(position, normal, sight);
                 out.push(Sample { face: faces[i], truth, belief: *belief });
             }

@@ -23,7 +23,7 @@ use clap::Parser;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
-use building::Building;
+use building::{Building, Layout};
 use built::Built;
 use case::Setup;
 use report::{Results, SceneLine};
@@ -33,8 +33,11 @@ use survey::Survey;
 #[derive(Parser)]
 struct Args {
     /// Number of scenes, about 21 object-cases each
-    #[arg(long, default_value_t = 28)]
+    #[arg(long, default_value_t = 36)]
     scenes: usize,
+    /// Only this scene of the set; may be given several times
+    #[arg(long, value_name = "NUMBER")]
+    scene: Vec<usize>,
     /// Seed of the set; another one is another set
     #[arg(long, default_value_t = 20_260_000)]
     seed: u64,
@@ -44,7 +47,7 @@ struct Args {
     /// Verify every object by itself, as ab_evidence_agg does, not together with its neighbours
     #[arg(long)]
     alone: bool,
-    /// Write the report here, pictures beside it
+    /// Write the report here, pictures and the numbers of meyer2022 beside it
     #[arg(long, value_name = "FILE.md")]
     report: Option<PathBuf>,
 }
@@ -54,7 +57,11 @@ const SHORT: [usize; 5] = [0, 2, 4, 7, 9];
 
 fn main() -> Result<()> {
     let args = Args::parse();
-    let numbers: Vec<usize> = if args.short { SHORT.to_vec() } else { (0..args.scenes).collect() };
+    let numbers: Vec<usize> = match () {
+        () if !args.scene.is_empty() => args.scene.clone(),
+        () if args.short => SHORT.to_vec(),
+        () => (0..args.scenes).collect(),
+    };
     let mut scenes = Vec::new();
     let mut surface = Results { model: ModelKind::Surface.name(), outcomes: Vec::new() };
     let mut rays = Results { model: ModelKind::Meyer2022.name(), outcomes: Vec::new() };
@@ -63,11 +70,11 @@ fn main() -> Result<()> {
         let setup = setup(*number, args.seed)?;
         scenes.push(SceneLine::of(&setup));
         surface.outcomes.extend(setup.outcomes(ModelKind::Surface, args.alone)?);
-        if !args.short {
+        if args.report.is_some() {
             rays.outcomes.extend(setup.outcomes(ModelKind::Meyer2022, args.alone)?);
         }
     }
-    print!("{}", report::text(&surface, (!args.short).then_some(&rays)));
+    print!("{}", report::text(&surface, args.report.is_some().then_some(&rays)));
     for o in surface.outcomes.iter().filter(|o| !tally::right(o)) {
         println!("wrong: {}", o.account);
     }
@@ -80,7 +87,7 @@ fn main() -> Result<()> {
 fn setup(number: usize, seed: u64) -> Result<Setup> {
     let survey = Survey::number(number, seed);
     let mut rng = ChaCha8Rng::seed_from_u64(survey.seed);
-    let building = Building::draw(&mut rng)?;
+    let building = Building::draw(Layout::number(number), &mut rng)?;
     let built = Built::of(&building, &mut rng)?;
     let places = survey.places(&building, &mut rng);
     let stations: Vec<_> = places.iter().map(|p| building.world_from_plan.point(p)).collect();

@@ -18,12 +18,14 @@ impl SceneLine {
     pub fn of(setup: &Setup) -> Self {
         let s = &setup.survey.scanner;
         Self(format!(
-            "| {} | {} | {} | {} | {} | {} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {:.0} | {} | {} | {} |",
             setup.number,
+            setup.building.layout.name(),
             setup.survey.seed,
             setup.building.objects.len(),
             setup.stations.len(),
             s.step * 1e3,
+            setup.survey.max_incidence.to_degrees(),
             s.sigma_range * 1e3,
             s.sigma_registration * 1e3,
             s.mixed_pixels

@@ -17,24 +17,23 @@ pub struct Survey {
     pub seed: u64,
     pub scanner: Scanner,
     pub stations: usize,
+    /// Steepest incidence that the verifier is to listen to, radians.
+    pub max_incidence: f64,
 }
 
-/// Values that take turns; their counts have no common divisor, so that they meet in ever other combinations.
-const STEPS_MRAD: [f64; 7] = [8.0, 3.0, 6.0, 2.0, 4.0, 1.5, 1.0];
+/// Values that take turns, in ever other combinations.
+const STEPS_MRAD: [f64; 14] = [8.0, 3.0, 6.0, 2.0, 4.0, 1.5, 1.0, 8.0, 3.0, 6.0, 2.0, 4.0, 1.5, 0.6];
 const SIGMA_RANGES_MM: [f64; 6] = [1.0, 0.5, 2.0, 3.0, 1.5, 5.0];
 const REGISTRATIONS_MM: [f64; 5] = [1.0, 0.0, 0.5, 2.0, 3.0];
 const MIXED: [f64; 4] = [0.002, 0.0, 0.01, 0.002];
+const MAX_INCIDENCES_DEG: [f64; 11] = [80.0, 85.0, 80.0, 80.0, 85.0, 80.0, 85.0, 80.0, 80.0, 80.0, 85.0];
 /// Angle error of a terrestrial scanner, radians: 8 arc seconds.
 const SIGMA_ANGLE: f64 = 4e-5;
 
 impl Survey {
     /// Survey number `i` of a set.
     pub fn number(i: usize, seed: u64) -> Self {
-        Self::with_step(i, seed, STEPS_MRAD[i % STEPS_MRAD.len()])
-    }
-
-    /// The same with another angular step, milliradians.
-    pub fn with_step(i: usize, seed: u64, step_mrad: f64) -> Self {
+        let step_mrad = STEPS_MRAD[i % STEPS_MRAD.len()];
         let scanner = Scanner {
             step: step_mrad * 1e-3,
             sigma_range: SIGMA_RANGES_MM[i % SIGMA_RANGES_MM.len()] * 1e-3,
@@ -53,7 +52,8 @@ impl Survey {
         } else {
             6
         };
-        Self { seed: seed + i as u64, scanner, stations: (1 + i % 5).min(most) }
+        let max_incidence = MAX_INCIDENCES_DEG[i % MAX_INCIDENCES_DEG.len()].to_radians();
+        Self { seed: seed + i as u64, scanner, stations: (1 + i % 5).min(most), max_incidence }
     }
 
     /// Standing places with room around them, well apart, plan metres.

@@ -11,8 +11,6 @@ const MIN_TURN_COS: f64 = 0.7;
 const MAX_DEVIATION_M: f64 = 0.3;
 /// What stands at most this far in front of a face does not hide it: it may be the face itself, metres.
 const IN_FRONT_M: f64 = 0.1;
-/// Steepest sight, radians: the default of the evidence model.
-const MAX_INCIDENCE: f64 = 80.0 * std::f64::consts::PI / 180.0;
 /// Least share of the visible samples that makes a face count, and least number.
 const FACE_SHARE: f64 = 0.03;
 const FACE_SAMPLES: usize = 10;
@@ -44,6 +42,15 @@ pub struct Sight {
     pub beams: f64,
     /// Whether a surface is met there or behind it: what does not return anything is hardly evidence.
     pub returns: bool,
+}
+
+/// Where a scene is seen from.
+pub struct Viewpoints<'a> {
+    pub stations: &'a [Vec3],
+    /// Angle between neighbouring beams, radians.
+    pub step: f64,
+    /// Steepest sight that counts, radians.
+    pub max_incidence: f64,
 }
 
 impl BuiltSurface {
@@ -94,20 +101,20 @@ fn distance_to_triangle(p: &Vec3, corners: &[Vec3; 3], n: &Vec3) -> f64 {
     edge(a, b).min(edge(b, c)).min(edge(c, a))
 }
 
-/// What stations with beams `step` radians apart see of a sample that stands for `area` m² of a drawn face.
-pub fn sight(scene: &Scene, stations: &[Vec3], step: f64, area: f64, position: &Vec3, normal: &Vec3) -> Sight {
+/// What a survey sees of a sample that stands for `area` m² of a drawn face.
+pub fn sight(scene: &Scene, view: &Viewpoints, area: f64, position: &Vec3, normal: &Vec3) -> Sight {
     let mut out = Sight::default();
-    for station in stations {
+    for station in view.stations {
         let sight = position - station;
         let range = sight.norm();
         let cos = -sight.dot(normal) / range;
-        if cos < MAX_INCIDENCE.cos() {
+        if cos < view.max_incidence.cos() {
             continue;
         }
         let hit = scene.first_hit(station, &(sight / range));
         if hit.is_none_or(|hit| hit >= range - IN_FRONT_M / cos) {
             out.stations += 1;
-            out.beams += area * cos / (step * range).powi(2);
+            out.beams += area * cos / (view.step * range).powi(2);
             out.returns |= hit.is_some();
         }
     }
@@ -187,9 +194,9 @@ mod tests {
         let none = BuiltSurface::new(None).at(&Vec3::new(1.0, 0.5, 0.5), &Vec3::x(), Sight::default());
         assert!(none.deviation.is_none() && none.distance.is_infinite());
         let scene = Scene::new(&[cube]);
-        let stations = [Vec3::new(5.0, 0.5, 0.5)];
-        let front = sight(&scene, &stations, 1e-3, 1e-4, &Vec3::new(1.0, 0.4, 0.4), &Vec3::x());
+        let view = Viewpoints { stations: &[Vec3::new(5.0, 0.5, 0.5)], step: 1e-3, max_incidence: 1.4 };
+        let front = sight(&scene, &view, 1e-4, &Vec3::new(1.0, 0.4, 0.4), &Vec3::x());
         assert!(front.stations == 1 && front.returns && (front.beams / 6.2 - 1.0).abs() < 0.02, "{front:?}");
-        assert_eq!(sight(&scene, &stations, 1e-3, 1e-4, &Vec3::new(0.0, 0.4, 0.4), &-Vec3::x()).stations, 0);
+        assert_eq!(sight(&scene, &view, 1e-4, &Vec3::new(0.0, 0.4, 0.4), &-Vec3::x()).stations, 0);
     }
 }

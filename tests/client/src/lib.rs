@@ -174,6 +174,17 @@ pub fn shared(path: &str) -> Option<PathBuf> {
     None
 }
 
+/// The hall of the data beside the project, its epochs 1 and 2 loaded; `None` where it is absent.
+pub fn hall(database: &str) -> Option<Database> {
+    let [model, one, two] = ["model.ifc", "epoch1.e57", "epoch2.e57"].map(|file| shared(&format!("hall/{file}")));
+    let (model, one, two) = (model?, one?, two?);
+    let db = Database::new(database);
+    db.asbuilt(&["load", text(&model)]);
+    db.asbuilt(&["load", text(&one), "--epoch", "1"]);
+    db.asbuilt(&["load", text(&two), "--epoch", "2"]);
+    Some(db)
+}
+
 /// A scratch file under the target folder.
 pub fn scratch(name: &str) -> PathBuf {
     let dir = project("target/client-tests");

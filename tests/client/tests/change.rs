@@ -125,15 +125,7 @@ fn wrong_calls() {
 /// The hall at 2 cm, threshold 1: a beam every 2 cm or so is all that a step of 8 mrad gives.
 #[test]
 fn hall() {
-    let (Some(model), Some(one), Some(two)) =
-        (shared("hall/model.ifc"), shared("hall/epoch1.e57"), shared("hall/epoch2.e57"))
-    else {
-        return;
-    };
-    let db = Database::new("change_hall");
-    db.asbuilt(&["load", text(&model)]);
-    db.asbuilt(&["load", text(&one), "--epoch", "1"]);
-    db.asbuilt(&["load", text(&two), "--epoch", "2"]);
+    let Some(db) = asbuilt_client_tests::hall("change_hall") else { return };
     for (threshold, at_least_gone) in [("1", 0.9), ("3", 0.99)] {
         let args = ["--from", "1", "--to", "2", "--voxel", "0.02", "--threshold", threshold, "--gap", "0.1"];
         let report = change(&db, &args);

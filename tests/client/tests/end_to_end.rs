@@ -74,15 +74,7 @@ fn two_epochs_as_one() {
 /// The hall beside the project; its truth.json tells what was built.
 #[test]
 fn hall() {
-    let (Some(model), Some(one), Some(two)) =
-        (shared("hall/model.ifc"), shared("hall/epoch1.e57"), shared("hall/epoch2.e57"))
-    else {
-        return;
-    };
-    let db = Database::new("hall");
-    db.asbuilt(&["load", text(&model)]);
-    db.asbuilt(&["load", text(&one), "--epoch", "1"]);
-    db.asbuilt(&["load", text(&two), "--epoch", "2"]);
+    let Some(db) = asbuilt_client_tests::hall("hall") else { return };
     let as_drawn = [
         "floor", "ceiling", "W-south", "W-north", "W-west", "W-east", "C1", "beam", // in both epochs
     ];

@@ -1,5 +1,7 @@
 //! Which of the seen samples show the object's own surface, and how far off it is there.
 
+use std::cmp::Ordering;
+
 use super::consensus::{Consensus, Observed};
 use super::evidence::Evidence;
 use super::face::FaceReport;
@@ -9,8 +11,11 @@ use crate::num::normal::cdf;
 use crate::num::stats::median;
 use crate::{Interrupt, Result, poll, poll_now_and_then};
 
-/// Share of a surface's seen samples that must follow one course for that course to be the built surface.
+/// Share of a surface's seen samples that must follow one course for that course to be the built surface: of those
+/// that nothing in front of it hides …
 const MAJORITY: f64 = 0.5;
+/// … and of all.
+const LEAST_SHARE: f64 = 0.2;
 /// A sample follows the course within so many σ, of its own or of all.
 const AGREES_SIGMAS: f64 = 3.0;
 /// … but no farther off than this, metres: rough surfaces, not clutter.
@@ -94,6 +99,8 @@ struct Course {
     consensus: Consensus,
     /// What lies no farther off follows it however precise it is, metres.
     scatter: f64,
+    /// Its median deviation over the samples that follow it, metres.
+    centre: f64,
     /// Of what a sample differs from the course, so much is the surface's and not the measurement's.
     kept: f64,
 }
@@ -134,31 +141,48 @@ impl Course {
             .step_by(seen.len().div_ceil(MAX_JUDGED).max(1))
             .filter_map(|s| Met::of(e, observations, s))
             .collect();
-        let observed: Vec<Observed> = few.iter().map(|m| m.observed).collect();
+        let few: Vec<&Met> = few.iter().collect();
+        let Some(mut course) = Self::through(&few, interrupt)? else { return Ok(None) };
+        if course.centre > MAX_ROUGHNESS_M {
+            // What hides a face stands in front of it: where there is a course behind this one, that is the face.
+            let behind: Vec<&Met> = few.iter().copied().filter(|m| course.side_of(m).is_lt()).collect();
+            if behind.len() as f64 >= LEAST_SHARE * few.len() as f64
+                && let Some(rear) = Self::through(&behind, interrupt)?
+                && rear.centre.abs() < course.centre
+            {
+                course = rear;
+            }
+        }
+        let bared = seen.len() as f64 >= BARED * heard.samples as f64;
+        let displaced_forwards = course.centre > MAX_ROUGHNESS_M;
+        Ok((bared || e.knows_neighbours || !displaced_forwards).then_some(course))
+    }
+
+    /// The course that most of these follow; `None` where it could not be a built surface.
+    fn through(met: &[&Met], interrupt: Interrupt) -> Result<Option<Self>> {
+        let observed: Vec<Observed> = met.iter().map(|m| m.observed).collect();
         let Some(consensus) = Consensus::fit(&observed, interrupt)? else { return Ok(None) };
         let scatter = (AGREES_SIGMAS * consensus.spread).clamp(MIN_ROUGHNESS_M, MAX_ROUGHNESS_M);
-        let mut course = Self { consensus, scatter, kept: 0.0 };
-        let own: Vec<&Met> = few.iter().filter(|m| course.is_followed_by(m)).collect();
+        let mut course = Self { consensus, scatter, kept: 0.0, centre: 0.0 };
+        let own: Vec<&Met> = met.iter().copied().filter(|m| course.side_of(m).is_eq()).collect();
         if !course.consensus.is_surface(own.iter().map(|m| &m.observed)) {
             return Ok(None);
         }
         let middle =
             |of: &dyn Fn(&Met) -> f64| median(&mut own.iter().map(|m| of(m)).collect::<Vec<_>>()).unwrap_or(0.0);
-        let centre = middle(&|m| course.consensus.at(&m.observed));
-        let bared = seen.len() as f64 >= BARED * heard.samples as f64;
-        if centre > MAX_ROUGHNESS_M && !bared && !e.knows_neighbours {
-            return Ok(None);
-        }
         let noise = middle(&|m| m.random_variance);
+        course.centre = middle(&|m| course.consensus.at(&m.observed));
         course.kept = 1.0 - noise / course.consensus.spread.powi(2).max(noise).max(1e-12);
         Ok(Some(course))
     }
 
-    fn is_followed_by(&self, m: &Met) -> bool {
-        self.consensus.residual(&m.observed).abs() <= m.reach.max(self.scatter)
+    /// Whether a sample lies behind the course, follows it, or stands in front of it.
+    fn side_of(&self, m: &Met) -> Ordering {
+        let (residual, reach) = (self.consensus.residual(&m.observed), m.reach.max(self.scatter));
+        if residual.abs() <= reach { Ordering::Equal } else { residual.total_cmp(&0.0) }
     }
 
-    /// Writes the deviation of every sample that follows; whether most do.
+    /// Writes the deviation of every sample that follows; whether most do of those that nothing hides.
     fn write(
         &self,
         e: &Evidence,
@@ -167,16 +191,22 @@ impl Course {
         own: &mut [f32],
         interrupt: Interrupt,
     ) -> Result<bool> {
-        let mut count = 0u64;
+        let (mut count, mut hidden) = (0u64, 0u64);
         for (i, (s, own)) in seen.iter().zip(own).enumerate() {
             poll_now_and_then(i, interrupt)?;
-            if let Some(m) = Met::of(e, observations, s).filter(|m| self.is_followed_by(m)) {
-                let residual = self.consensus.residual(&m.observed);
-                *own = (m.observed.deviation - (1.0 - self.kept) * residual) as f32;
-                count += 1;
+            let Some(m) = Met::of(e, observations, s) else { continue };
+            match self.side_of(&m) {
+                Ordering::Equal => {
+                    let residual = self.consensus.residual(&m.observed);
+                    *own = (m.observed.deviation - (1.0 - self.kept) * residual) as f32;
+                    count += 1;
+                }
+                Ordering::Greater => hidden += 1,
+                Ordering::Less => {}
             }
         }
-        Ok(count as f64 >= MAJORITY * seen.len() as f64)
+        let (count, all) = (count as f64, seen.len() as f64);
+        Ok(count >= LEAST_SHARE * all && count >= MAJORITY * (all - hidden as f64))
     }
 }
 

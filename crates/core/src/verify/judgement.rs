@@ -25,8 +25,8 @@ const MIN_WITHIN: f64 = 0.75;
 /// Least share of the decided samples that must show the object in place, however strict the rule is about where its
 /// surfaces are: openings and furniture take the rest.
 const MIN_PRESENT: f64 = 0.6;
-/// A face with this share of the seen samples can condemn the object by being pierced.
-const LARGE_FACE_SHARE: f64 = 0.1;
+/// A smooth surface with this share of the seen samples can condemn the object by being pierced.
+const LARGE_SHARE: f64 = 0.1;
 /// A face is certainly off when its deviation is this many σ: the largest of several that are not seldom is.
 const CERTAINLY_OFF: f64 = 3.0;
 
@@ -35,11 +35,14 @@ pub(super) struct Judgement {
     pub verdict: Verdict,
     pub faces: Vec<FaceReport>,
     pub totals: Totals,
+    /// For each smooth surface.
+    surfaces: Vec<Totals>,
     /// For each smooth surface whether too little of it keeps the tolerance.
     displaced: Vec<bool>,
 }
 
-/// The faces' counts added up.
+/// The counts of several faces added up.
+#[derive(Clone, Default)]
 pub(super) struct Totals {
     pub samples: u64,
     pub seen: u64,
@@ -53,19 +56,16 @@ pub(super) struct Totals {
 }
 
 impl Totals {
-    pub fn of(faces: &[FaceReport]) -> Self {
-        let sum = |f: fn(&FaceReport) -> u64| faces.iter().map(f).sum();
-        Self {
-            samples: sum(|f| f.samples),
-            seen: sum(|f| f.seen),
-            confirmed: sum(|f| f.confirmed),
-            refuted: sum(|f| f.refuted),
-            pierced: sum(|f| f.pierced),
-            own: sum(|f| f.own),
-            beyond: sum(|f| f.beyond),
-            surface: sum(|f| f.surface),
-            conflict: faces.iter().map(|f| f.conflict).sum(),
-        }
+    fn add(&mut self, f: &FaceReport) {
+        self.samples += f.samples;
+        self.seen += f.seen;
+        self.confirmed += f.confirmed;
+        self.refuted += f.refuted;
+        self.pierced += f.pierced;
+        self.own += f.own;
+        self.beyond += f.beyond;
+        self.surface += f.surface;
+        self.conflict += f.conflict;
     }
 
     /// Whether enough was seen to judge at all.
@@ -103,9 +103,15 @@ impl Judgement {
     /// Judges at the tolerance and confidence of `model`.
     pub fn of(built: &Built, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Self> {
         let faces = built.faces(model, interrupt)?;
-        let totals = Totals::of(&faces);
-        let displaced = displaced_surfaces(&faces, &totals, built, rule.min_within());
-        let mut out = Self { verdict: Verdict::Unobserved, faces, totals, displaced };
+        let (mut totals, mut surfaces) = (Totals::default(), vec![Totals::default(); built.surfaces.len()]);
+        for f in &faces {
+            totals.add(f);
+            if let Some(surface) = surfaces.get_mut(f.smooth_surface as usize) {
+                surface.add(f);
+            }
+        }
+        let displaced = displaced(&surfaces, &totals, built, rule.min_within());
+        let mut out = Self { verdict: Verdict::Unobserved, faces, totals, surfaces, displaced };
         out.verdict = out.decide(built, model, rule);
         Ok(out)
     }
@@ -129,7 +135,7 @@ impl Judgement {
         }
         let least = rule.min_confirmed.min(MIN_PRESENT);
         if self.displaced.contains(&true)
-            || self.faces.iter().any(|f| mostly_pierced(f, totals))
+            || self.surfaces.iter().any(|s| mostly_pierced(s, totals))
             || (totals.in_place() as f64) < least * decided
         {
             return Verdict::Deviating;
@@ -182,32 +188,28 @@ fn counts(part: u64, whole: u64) -> bool {
 
 /// For each smooth surface whether less than `min_within` of it keeps the tolerance; where that holds of the whole object
 /// although of none of its surfaces, all.
-fn displaced_surfaces(faces: &[FaceReport], totals: &Totals, built: &Built, min_within: f64) -> Vec<bool> {
-    let mut sums = vec![(0, 0); built.surfaces.len()];
-    for f in faces {
-        if let Some(s) = sums.get_mut(f.smooth_surface as usize) {
-            *s = (s.0 + f.own, s.1 + f.beyond);
-        }
-    }
+fn displaced(surfaces: &[Totals], totals: &Totals, built: &Built, min_within: f64) -> Vec<bool> {
     let allowed = |s: &BuiltSurface| {
         let share = 1.0 - min_within;
         share + 2.0 * (share * min_within / s.independent.max(1.0)).sqrt()
     };
     // Two σ of chance more than allowed.
-    let off = |s: &BuiltSurface, own: u64, beyond: u64| beyond as f64 > allowed(s) * own as f64;
-    let each = |(s, (own, beyond)): (&BuiltSurface, &(u64, u64))| counts(*own, totals.own) && off(s, *own, *beyond);
-    let mut out: Vec<bool> = built.surfaces.iter().zip(&sums).map(each).collect();
-    if !out.contains(&true) && totals.own > 0 && off(&built.whole, totals.own, totals.beyond) {
+    let off = |s: &BuiltSurface, t: &Totals| t.beyond as f64 > allowed(s) * t.own as f64;
+    let each = |(s, t): (&BuiltSurface, &Totals)| counts(t.own, totals.own) && off(s, t);
+    let mut out: Vec<bool> = built.surfaces.iter().zip(surfaces).map(each).collect();
+    if !out.contains(&true) && totals.own > 0 && off(&built.whole, totals) {
         out.iter_mut().for_each(|o| *o = true);
     }
     out
 }
 
-/// A face with a fair share of what was seen, most of it not there: part of the object was not built.
-fn mostly_pierced(face: &FaceReport, totals: &Totals) -> bool {
-    let decided = (face.confirmed.max(face.own) + face.pierced) as f64;
-    face.seen >= WELL_SEEN_SAMPLES
-        && face.seen as f64 >= LARGE_FACE_SHARE * totals.seen as f64
-        && decided >= 0.5 * face.seen as f64
-        && face.pierced as f64 > 0.5 * decided
+/// A smooth surface with a fair share of the object and of what was seen, most of it not there: part of the object was
+/// not built. (Of the facets of a displaced column the lee ones are pierced, of a displaced board the narrow sides.)
+fn mostly_pierced(surface: &Totals, totals: &Totals) -> bool {
+    let decided = (surface.confirmed.max(surface.own) + surface.pierced) as f64;
+    surface.seen >= WELL_SEEN_SAMPLES
+        && surface.samples as f64 >= WELL_SEEN_SHARE * totals.samples as f64
+        && surface.seen as f64 >= LARGE_SHARE * totals.seen as f64
+        && decided >= 0.5 * surface.seen as f64
+        && surface.pierced as f64 > 0.5 * decided
 }

@@ -130,14 +130,7 @@ impl Reading {
             Place::Many | Place::Unknown => (-normal, 0.0),
         };
         let cos = sight.dot(normal).abs() / sight.norm().max(1e-6);
-        let beam_spacing_squared = (f64::from(station.step) * range).powi(2) / cos.max(0.05);
-        // Samples nearer to each other than the kernel is wide hear the same beams.
-        let own = if beam_spacing_squared > 0.0 {
-            model.spacing * model.spacing / (beam_spacing_squared * surface_sums::BEAMS_IN_KERNEL)
-        } else {
-            1.0
-        };
-        self.independence = (self.independence + own).min(1.0);
+        self.independence = (self.independence + independence(station, range, cos, model)).min(1.0);
         // Sums count towards the scanner; values count along the outward normal.
         let outward = if sight.dot(normal) <= 0.0 { r.deviation } else { -r.deviation };
         Some(Voice {
@@ -297,6 +290,17 @@ impl BodySum {
             has_rays,
             stations: self.weights.len().min(255) as u8,
         }
+    }
+}
+
+/// How many samples' worth of independent measurements a station gives one sample, at most 1: samples nearer to each
+/// other than the kernel is wide hear the same beams. `range` in metres, 0 where it is unknown.
+pub(super) fn independence(station: &Station, range: f64, cos: f64, model: &EvidenceModel) -> f64 {
+    let beam_spacing_squared = (f64::from(station.step) * range).powi(2) / cos.max(0.05);
+    if beam_spacing_squared > 0.0 {
+        (model.spacing * model.spacing / (beam_spacing_squared * surface_sums::BEAMS_IN_KERNEL)).min(1.0)
+    } else {
+        1.0
     }
 }
 

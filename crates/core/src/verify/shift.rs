@@ -15,6 +15,8 @@ const MIN_SAMPLES: u64 = 10;
 const MIN_SHARE: f64 = 0.05;
 /// Huber's constant for 95 % efficiency at the normal distribution.
 const HUBER: f64 = 1.345;
+/// A smooth surface of as many facets is curved.
+const MIN_FACETS: usize = 3;
 /// Below this length the faces' offsets are linear in the shift, however curved the object, to a tenth of a
 /// millimetre (5 mm across a column of 0.12 m radius).
 const LINEAR_M: f64 = 0.005;
@@ -71,7 +73,7 @@ impl Shift {
             })
             .collect();
         let mut solution = Solution::of(&votes, &projector)?;
-        if solution.vector.norm() > LINEAR_M && voting.len() > known.len() * 2 {
+        if solution.vector.norm() > LINEAR_M && is_curved(&voting) {
             solution = points.refine(solution.vector, &projector).unwrap_or(solution);
         }
         let t = solution.vector;
@@ -96,6 +98,13 @@ impl Shift {
         let sds = list(&|i| format!("{:.4}", self.covariance[(i, i)].max(0.0).sqrt()));
         format!("({values}) +/- ({sds})")
     }
+}
+
+/// Whether faces turn into each other smoothly: facets of a mantle.
+fn is_curved(faces: &[&FaceReport]) -> bool {
+    let mut facets = BTreeMap::new();
+    faces.iter().for_each(|f| *facets.entry(f.smooth_surface).or_insert(0) += 1);
+    facets.values().any(|n| *n >= MIN_FACETS)
 }
 
 /// A translation with what its errors come from.

@@ -5,6 +5,7 @@ use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
 use super::evidence::{Evidence, Place};
+use super::reading::independence;
 use super::shift::{Solution, Vote};
 use super::surface_sums::SurfaceReading;
 use crate::geometry::Vec3;
@@ -28,6 +29,8 @@ struct Point {
     position: Vec3,
     /// The face that the beam was aimed at.
     face: u32,
+    /// Its standard deviation, metres, as if it shared no beam with others.
+    sd: f64,
     /// The station, which has all of its deviation.
     station: [(usize, f64); 1],
 }
@@ -65,13 +68,17 @@ impl SurfacePoints {
                     counter += 1;
                     let reading = SurfaceReading::of(&sums[k]).filter(|r| r.hit > 2.0 * r.through && r.hit > 1.0);
                     if let (true, Some(r)) = (counter % every_built == 0, reading) {
-                        let direction = match station.place {
-                            Place::At(origin) => (local + samples.reference - origin).normalize(),
-                            Place::Many | Place::Unknown => -normal,
+                        let (sight, range) = match station.place {
+                            Place::At(origin) => {
+                                let sight = local + samples.reference - origin;
+                                (sight.normalize(), sight.norm())
+                            }
+                            Place::Many | Place::Unknown => (-normal, 0.0),
                         };
-                        let cos = direction.dot(normal).abs().max(0.1);
-                        let position = local - direction * (r.deviation / cos);
-                        out.built.push(Point { position, face: block.face, station: [(*number, 1.0)] });
+                        let cos = sight.dot(normal).abs().max(0.1);
+                        let position = local - sight * (r.deviation / cos);
+                        let sd = POINT_SD_M / independence(station, range, cos, &e.model).sqrt();
+                        out.built.push(Point { position, face: block.face, sd, station: [(*number, 1.0)] });
                     }
                 }
             }
@@ -94,7 +101,7 @@ impl SurfacePoints {
             let votes: Vec<Vote> = self
                 .built
                 .iter()
-                .filter_map(|Point { position, face, station }| {
+                .filter_map(|Point { position, face, sd: random_sd, station }| {
                     let moved = position - shift;
                     let looks = &self.normals[*face as usize];
                     let near = tree.nearest_neighbor_iter(&moved.into()).take(16);
@@ -105,7 +112,7 @@ impl SurfacePoints {
                     // A face's points together weigh as one vote of 0.3 mm.
                     let sd = 3e-4 * per_face[*face as usize].sqrt();
                     let offset = off + normal.dot(&shift);
-                    Some(Vote { normal, offset, weight_sd: sd, random_sd: POINT_SD_M, stations: station })
+                    Some(Vote { normal, offset, weight_sd: sd, random_sd: *random_sd, stations: station })
                 })
                 .collect();
             let next = Solution::of(&votes, projector)?;

@@ -1,121 +1,21 @@
-//! Buildings as drawn: a seed makes a layout nobody has tuned anything to.
-
-use std::f64::consts::TAU;
+//! A hall and what stands and hangs in it.
 
 use anyhow::Result;
 use asbuilt_core::geometry::{Solid, Vec3};
 use nalgebra::Rotation3;
 use rand::Rng;
-use rand_chacha::ChaCha8Rng;
 
-/// What an object is: tells in which direction it could plausibly be off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// Floor or ceiling: up or down.
-    Slab,
-    /// Wall or board: across its thickness, mostly.
-    Plate,
-    /// Column, tank or plinth: in any horizontal direction.
-    Post,
-    /// Pipe, duct or beam: across its length.
-    Bar,
-}
-
-/// An object as drawn.
-#[derive(Debug)]
-pub struct Object {
-    pub name: String,
-    pub kind: Kind,
-    pub solid: Solid,
-    /// Unit vector: a plate's normal, a bar's length; else z.
-    pub axis: Vec3,
-}
-
-/// A storey with its objects, in a frame turned and moved against the plan's.
-#[derive(Debug)]
-pub struct Building {
-    pub objects: Vec<Object>,
-    pub world_from_plan: Placement,
-    /// Inner size of the plan, metres.
-    pub size: Vec3,
-    /// Footprints of what stands on the floor, plan metres.
-    pub standing: Vec<Footprint>,
-}
-
-/// Heading and offset.
-#[derive(Debug, Clone, Copy)]
-pub struct Placement {
-    pub rotation: Rotation3<f64>,
-    pub offset: Vec3,
-}
-
-/// An upright rectangle in plan.
-#[derive(Debug, Clone, Copy)]
-pub struct Footprint {
-    pub min: [f64; 2],
-    pub max: [f64; 2],
-}
-
-impl Footprint {
-    /// Whether two are nearer to each other than `gap` metres.
-    pub fn near(&self, other: &Self, gap: f64) -> bool {
-        (0..2).all(|k| self.min[k] - gap < other.max[k] && other.min[k] - gap < self.max[k])
-    }
-}
-
-impl Placement {
-    pub fn point(&self, plan: &Vec3) -> Vec3 {
-        self.rotation * plan + self.offset
-    }
-
-    pub fn solid(&self, plan: &Solid) -> Result<Solid> {
-        let vertices = plan.vertices().iter().map(|v| self.point(v)).collect();
-        Ok(Solid::new(vertices, plan.triangles().to_vec())?)
-    }
-}
-
-/// A plan under the pencil.
-struct Draft<'a> {
-    rng: &'a mut ChaCha8Rng,
-    objects: Vec<Object>,
-    standing: Vec<Footprint>,
-    hanging: Vec<Footprint>,
-    size: Vec3,
-}
-
-impl Building {
-    /// One storey with slabs, walls, partitions, columns, pipes, ducts, beams, boards, a tank and a plinth.
-    pub fn draw(rng: &mut ChaCha8Rng) -> Result<Self> {
-        let size = Vec3::new(rng.random_range(6.0..15.0), rng.random_range(5.0..10.0), rng.random_range(2.6..4.0));
-        let far = if rng.random_bool(0.5) { [600_000.0, 5_400_000.0, 500.0] } else { [0.0; 3] };
-        let world_from_plan = Placement {
-            rotation: Rotation3::from_axis_angle(&Vec3::z_axis(), rng.random_range(0.0..TAU)),
-            offset: Vec3::from(far),
-        };
-        let mut draft = Draft { rng, objects: Vec::new(), standing: Vec::new(), hanging: Vec::new(), size };
-        draft.shell()?;
-        draft.partitions()?;
-        draft.posts()?;
-        draft.bars()?;
-        draft.boards()?;
-        let Draft { objects, standing, .. } = draft;
-        let place = |o: Object| -> Result<Object> {
-            Ok(Object { solid: world_from_plan.solid(&o.solid)?, axis: world_from_plan.rotation * o.axis, ..o })
-        };
-        let objects = objects.into_iter().map(place).collect::<Result<_>>()?;
-        Ok(Self { objects, world_from_plan, size, standing })
-    }
-}
+use super::draft::Draft;
+use super::{Footprint, Kind};
 
 impl Draft<'_> {
-    fn add(&mut self, name: &str, kind: Kind, axis: Vec3, solid: Solid) {
-        let name = format!("{name} {}", self.objects.len() + 1);
-        self.objects.push(Object { name, kind, solid, axis });
-    }
-
-    fn cuboid(&mut self, name: &str, kind: Kind, axis: Vec3, min: [f64; 3], max: [f64; 3]) -> Result<()> {
-        self.add(name, kind, axis, Solid::cuboid(min, max)?);
-        Ok(())
+    /// Draws it all.
+    pub fn storey(&mut self) -> Result<()> {
+        self.shell()?;
+        self.partitions()?;
+        self.posts()?;
+        self.bars()?;
+        self.boards()
     }
 
     fn shell(&mut self) -> Result<()> {
@@ -201,7 +101,7 @@ impl Draft<'_> {
     }
 
     /// Free-standing thin boards: two faces near each other.
-    fn boards(&mut self) -> Result<()> {
+    pub(super) fn boards(&mut self) -> Result<()> {
         for _ in 0..self.rng.random_range(1..4) {
             let (t, length, top) =
                 (self.rng.random_range(0.02..0.06), self.rng.random_range(0.8..1.6), self.rng.random_range(1.2..2.2));
@@ -213,34 +113,4 @@ impl Draft<'_> {
         }
         Ok(())
     }
-
-    /// A place where nothing stands (or hangs) yet, taken from now on.
-    fn free(&mut self, extent: [f64; 2], standing: bool) -> Option<Footprint> {
-        let taken = if standing { &mut self.standing } else { &mut self.hanging };
-        let found = free_place(self.rng, &self.size, extent, 0.35, taken)?;
-        taken.push(found);
-        Some(found)
-    }
-}
-
-/// A rectangle of this extent (m) that keeps `gap` from walls and from what is `taken`; `None` after 40 tries.
-pub fn free_place(
-    rng: &mut ChaCha8Rng,
-    size: &Vec3,
-    extent: [f64; 2],
-    gap: f64,
-    taken: &[Footprint],
-) -> Option<Footprint> {
-    for _ in 0..40 {
-        let [room_x, room_y] = [0, 1].map(|k| size[k] - extent[k] - 2.0 * gap);
-        if room_x <= 0.0 || room_y <= 0.0 {
-            return None;
-        }
-        let min = [gap + rng.random_range(0.0..room_x), gap + rng.random_range(0.0..room_y)];
-        let f = Footprint { min, max: [min[0] + extent[0], min[1] + extent[1]] };
-        if !taken.iter().any(|t| t.near(&f, gap)) {
-            return Some(f);
-        }
-    }
-    None
 }
