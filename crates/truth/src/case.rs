@@ -10,7 +10,7 @@ use asbuilt_core::verify::{
 use asbuilt_simulate::{Change, Scanner, Scene};
 use rayon::prelude::*;
 
-use crate::building::{Building, Object};
+use crate::building::{Building, Layout, Object};
 use crate::built::{Built, Case, Fate};
 use crate::survey::Survey;
 use crate::truth::{BuiltSurface, Expected, SampleTruth, Viewpoints, expected, sight};
@@ -36,6 +36,7 @@ pub struct Stated {
 /// An object-case.
 #[derive(Debug)]
 pub struct Outcome {
+    pub layout: Layout,
     pub case: Case,
     pub expected: Expected,
     pub verdict: Verdict,
@@ -112,6 +113,7 @@ impl Setup {
         let survey_sd = self.survey.scanner.sigma_registration / (self.stations.len() as f64).sqrt();
         let account = self.account(object, fate, &model, &expected, &summary);
         Ok(Outcome {
+            layout: self.building.layout,
             case: fate.case,
             verdict: summary.verdict,
             best_loa: summary.best_loa,

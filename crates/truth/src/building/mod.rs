@@ -17,7 +17,7 @@ use draft::Draft;
 pub use draft::free_place;
 
 /// What is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd)]
 pub enum Layout {
     /// One hall: slabs, walls, partitions, columns, pipes, ducts, beams, boards, a tank and a plinth.
     Storey,
