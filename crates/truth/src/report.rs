@@ -181,7 +181,7 @@ pub fn write(path: &Path, seed: u64, scenes: &[SceneLine], surface: &Results, ra
         confusion_rays = confusion(rays),
         bins = bins,
         by_case = by(surface, "built", |i: usize| Case::ALL[i].name().into(), |o| o.case as usize),
-        by_layout = by(surface, "layout", Layout::name, |o| o.layout),
+        by_layout = by(surface, "layout", |l: Layout| l.name().into(), |o| o.layout),
         by_registration = by(surface, "registration σ", milli, |o| micro(o.scanner.sigma_registration)),
         by_range = by(surface, "range σ", milli, |o| micro(o.scanner.sigma_range)),
         by_step = by(surface, "angular step", |x: i64| format!("{} mrad", x as f64 / 1e3), |o| micro(o.scanner.step)),
