@@ -173,7 +173,9 @@ impl Setup {
         let stride = evidence.samples().len().div_ceil(MAX_TRUTHS).max(1);
         let faces: Vec<usize> = evidence.samples().face_of_each().collect();
         let Survey { scanner, max_incidence, .. } = self.survey;
-        let view = Viewpoints { stations: &self.stations, step: scanner.step, max_incidence };
+        // Up to 10 cm in front of its place it may be the object itself; what was not built stands nowhere.
+        let in_front = if fate.solid.is_some() { 0.1 } else { 1e-3 };
+        let view = Viewpoints { stations: &self.stations, step: scanner.step, max_incidence, in_front };
         let (mut out, mut i) = (Vec::new(), 0);
         evidence.for_each_sample(model, NEVER, |position, normal, belief| {
             if i % stride == 0 {

@@ -9,8 +9,6 @@ use asbuilt_simulate::Scene;
 const MIN_TURN_COS: f64 = 0.7;
 /// A surface farther off than this is not the face's, metres.
 const MAX_DEVIATION_M: f64 = 0.3;
-/// What stands at most this far in front of a face does not hide it: it may be the face itself, metres.
-const IN_FRONT_M: f64 = 0.1;
 /// Least share of the visible samples that makes a face count, and least number.
 const FACE_SHARE: f64 = 0.03;
 const FACE_SAMPLES: usize = 10;
@@ -51,6 +49,8 @@ pub struct Viewpoints<'a> {
     pub step: f64,
     /// Steepest sight that counts, radians.
     pub max_incidence: f64,
+    /// What stands at most this far in front of a face does not hide it, metres.
+    pub in_front: f64,
 }
 
 impl BuiltSurface {
@@ -112,7 +112,7 @@ pub fn sight(scene: &Scene, view: &Viewpoints, area: f64, position: &Vec3, norma
             continue;
         }
         let hit = scene.first_hit(station, &(sight / range));
-        if hit.is_none_or(|hit| hit >= range - IN_FRONT_M / cos) {
+        if hit.is_none_or(|hit| hit >= range - view.in_front / cos) {
             out.stations += 1;
             out.beams += area * cos / (view.step * range).powi(2);
             out.returns |= hit.is_some();
@@ -165,15 +165,14 @@ fn worst_face(seen: &[&(usize, SampleTruth)], share: f64) -> f64 {
     }
     let faces = seen.iter().map(|(f, _)| f + 1).max().unwrap_or(0);
     let mut by_face = vec![Vec::new(); faces];
-    let off = |t: &SampleTruth| t.distance.max(t.deviation.unwrap_or(0.0).abs());
-    seen.iter().for_each(|(f, t)| by_face[*f].push(off(t)));
+    seen.iter().for_each(|(f, t)| by_face[*f].push(t.distance));
     let counts =
         |d: &Vec<f64>| d.len() >= FACE_SAMPLES.min(seen.len()) && d.len() as f64 >= FACE_SHARE * seen.len() as f64;
     let quantile = |mut d: Vec<f64>| {
         d.sort_by(f64::total_cmp);
         d[((d.len() as f64 * share) as usize).min(d.len() - 1)]
     };
-    let all = quantile(seen.iter().map(|(_, t)| off(t)).collect());
+    let all = quantile(seen.iter().map(|(_, t)| t.distance).collect());
     by_face.into_iter().filter(counts).map(quantile).fold(all, f64::max)
 }
 
@@ -194,7 +193,7 @@ mod tests {
         let none = BuiltSurface::new(None).at(&Vec3::new(1.0, 0.5, 0.5), &Vec3::x(), Sight::default());
         assert!(none.deviation.is_none() && none.distance.is_infinite());
         let scene = Scene::new(&[cube]);
-        let view = Viewpoints { stations: &[Vec3::new(5.0, 0.5, 0.5)], step: 1e-3, max_incidence: 1.4 };
+        let view = Viewpoints { stations: &[Vec3::new(5.0, 0.5, 0.5)], step: 1e-3, max_incidence: 1.4, in_front: 0.1 };
         let front = sight(&scene, &view, 1e-4, &Vec3::new(1.0, 0.4, 0.4), &Vec3::x());
         assert!(front.stations == 1 && front.returns && (front.beams / 6.2 - 1.0).abs() < 0.02, "{front:?}");
         assert_eq!(sight(&scene, &view, 1e-4, &Vec3::new(0.0, 0.4, 0.4), &-Vec3::x()).stations, 0);

@@ -113,13 +113,20 @@ struct Met {
     random_variance: f64,
 }
 
+impl Observed {
+    /// The place of a sample, without a surface.
+    fn nothing(e: &Evidence, s: &Seen) -> Self {
+        let (position, normal) = (Observations::position(s), e.samples.normals[s.face as usize]);
+        Self { position, normal, deviation: 0.0 }
+    }
+}
+
 impl Met {
     fn of(e: &Evidence, observations: &Observations, s: &Seen) -> Option<Self> {
         let body = observations.surface_body(s)?;
-        let (position, normal) = (Observations::position(s), e.samples.normals[s.face as usize]);
         let common = AGREES_SIGMAS * f64::from(body.common_variance).sqrt();
         Some(Self {
-            observed: Observed { position, normal, deviation: f64::from(body.deviation) },
+            observed: Observed { deviation: f64::from(body.deviation), ..Observed::nothing(e, s) },
             // However unsure of itself, what lies far off the course does not confirm it.
             reach: (AGREES_SIGMAS * body.sd()).min(MAX_ROUGHNESS_M + common),
             random_variance: f64::from(body.random_variance),
@@ -182,7 +189,13 @@ impl Course {
         if residual.abs() <= reach { Ordering::Equal } else { residual.total_cmp(&0.0) }
     }
 
-    /// Writes the deviation of every sample that follows; whether most do of those that nothing hides.
+    /// Whether a mantle that took this course is missed here by beams aimed at the drawn one: its lee side.
+    fn leaves_empty(&self, place: &Observed) -> bool {
+        self.consensus.is_curved() && self.consensus.at(place) < -self.scatter
+    }
+
+    /// Writes the deviation of every sample that follows; whether most do, but for those that the course leaves to
+    /// what stands in front or to emptiness.
     fn write(
         &self,
         e: &Evidence,
@@ -191,22 +204,29 @@ impl Course {
         own: &mut [f32],
         interrupt: Interrupt,
     ) -> Result<bool> {
-        let (mut count, mut hidden) = (0u64, 0u64);
+        let (mut count, mut excused) = (0u64, 0u64);
         for (i, (s, own)) in seen.iter().zip(own).enumerate() {
             poll_now_and_then(i, interrupt)?;
-            let Some(m) = Met::of(e, observations, s) else { continue };
+            let Some(m) = Met::of(e, observations, s) else {
+                let place = Observed::nothing(e, s);
+                if self.leaves_empty(&place) {
+                    *own = self.consensus.at(&place) as f32;
+                    excused += 1;
+                }
+                continue;
+            };
             match self.side_of(&m) {
                 Ordering::Equal => {
                     let residual = self.consensus.residual(&m.observed);
                     *own = (m.observed.deviation - (1.0 - self.kept) * residual) as f32;
                     count += 1;
                 }
-                Ordering::Greater => hidden += 1,
+                Ordering::Greater => excused += 1,
                 Ordering::Less => {}
             }
         }
         let (count, all) = (count as f64, seen.len() as f64);
-        Ok(count >= LEAST_SHARE * all && count >= MAJORITY * (all - hidden as f64))
+        Ok(count >= LEAST_SHARE * all && count >= MAJORITY * (all - excused as f64))
     }
 }
 

@@ -123,6 +123,11 @@ impl Consensus {
         Ok(Some(self))
     }
 
+    /// Whether the surface is a mantle.
+    pub fn is_curved(&self) -> bool {
+        self.basis.curved
+    }
+
     /// The course at a place.
     pub fn at(&self, o: &Observed) -> f64 {
         self.course.dot(&self.basis.row(o))

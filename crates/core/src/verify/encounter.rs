@@ -14,7 +14,8 @@ pub const DEVIATION: f64 = 131_072.0;
 
 /// A beam met an object where it is drawn within this, or within 3 σ, metres.
 const EXPLAINED_M: f64 = 0.01;
-/// What was drawn as another object and stands farther than this in front of a face hides it, metres.
+/// What was drawn as another object and stands farther than this in front of a face hides it; farther behind it, the
+/// face is not there, metres.
 const HIDDEN_M: f64 = 0.02;
 
 /// What one beam saw.
@@ -63,9 +64,13 @@ impl Encounters {
         for crossing in crossings {
             let slot = crossing.slot as usize;
             let Some(mut e) = encounter(view, target, crossing, min_cos, model) else { continue };
-            let hidden = explained.is_some_and(|x| x[slot]);
-            if hidden && matches!(e.seen, Seen::Surface(d, _) if f64::from(d) > HIDDEN_M * DEVIATION) {
-                continue;
+            if let (true, Seen::Surface(d, _)) = (explained.is_some_and(|x| x[slot]), e.seen) {
+                match f64::from(d) / DEVIATION {
+                    d if d > HIDDEN_M => continue,
+                    // It passed the face on its way to another object's.
+                    d if d < -HIDDEN_M => e.seen = Seen::Through(1.0),
+                    _ => {}
+                }
             }
             let Some(seen) = adjust(e.seen) else { continue };
             e.seen = seen;

@@ -11,6 +11,9 @@ const MIN_SEEN: u64 = 5;
 /// Share of the decided samples that must have been seen empty before the object is absent: more than half, for the
 /// lee side of a displaced object is empty too.
 pub(super) const MIN_EMPTY: f64 = 0.6;
+/// … but not where as much of the decided shows the object's own surface, in place or not: it was built in part, or
+/// displaced by more than it is thick.
+const MAX_OWN_OF_ABSENT: f64 = 0.25;
 /// Least share of the seen samples that must say something; below it everything is open.
 const MIN_DECIDED: f64 = 0.2;
 /// Least share of the seen samples that must speak for the object before it is confirmed, where its surface as a whole
@@ -130,7 +133,7 @@ impl Judgement {
         if decided == 0.0 || decided < MIN_DECIDED * seen {
             return Verdict::Unobserved;
         }
-        if totals.pierced as f64 > MIN_EMPTY * decided {
+        if totals.pierced as f64 > MIN_EMPTY * decided && (totals.own as f64) < MAX_OWN_OF_ABSENT * decided {
             return Verdict::Absent;
         }
         let least = rule.min_confirmed.min(MIN_PRESENT);
