@@ -124,7 +124,7 @@ CREATE FUNCTION ab_sensor(
 COMMENT ON FUNCTION ab_sensor(text) IS 'Standard uncertainties of a kind of scanner, of the order that field tests by ISO 17123-9 find: phase, hybrid, pulse, compact, handheld or tablet; all without a name. Metres and radians';
 
 CREATE FUNCTION ab_with_sensor(model ab_evidence_model, sensor text) RETURNS ab_evidence_model
-    AS 'MODULE_PATHNAME', 'ab_with_sensor' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_with_sensor' LANGUAGE c IMMUTABLE PARALLEL SAFE;
 COMMENT ON FUNCTION ab_with_sensor(ab_evidence_model, text) IS 'The same parameters with a sensor''s standard uncertainties: sigma_range, sigma_angle and sigma_station of ab_sensor';
 
 CREATE FUNCTION ab_with_intensity(model ab_evidence_model, reference integer, exponent float8 DEFAULT 1) RETURNS ab_evidence_model

@@ -72,7 +72,8 @@ sql_functions! {
 
     /// ab_with_sensor(model, name)
     fn ab_with_sensor(args) {
-        let p = SensorPreset::named(&args.text(1))?;
+        // Not strict: a NULL would quietly be the default parameters where the result is used.
+        let p = SensorPreset::named(&if args.is_null(1) { "NULL".into() } else { args.text(1) })?;
         let (sigma_range, sigma_angle, sigma_station) = (p.sigma_range, p.sigma_angle, p.sigma_station);
         ret(&EvidenceModel { sigma_range, sigma_angle, sigma_station, ..model_arg(args, 0)? })
     }

@@ -99,7 +99,7 @@ sql_functions! {
         };
         let axis = |i: usize, x: f64| if t.determines(i) { Field::F64(x) } else { Field::Null };
         let mut fields: Vec<Field> = (0..3).map(|i| axis(i, t.vector[i])).collect();
-        fields.extend((0..3).map(|i| axis(i, t.covariance[(i, i)].max(0.0).sqrt())));
+        fields.extend((0..3).map(|i| axis(i, t.sd(i))));
         Ok(Ret::Row(fields))
     }
 }

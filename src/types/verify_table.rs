@@ -1,7 +1,7 @@
 //! `ab_verify_table(objects, scans, …)`: every patch unpacked once for all objects.
 
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::verify::{Evidence, EvidenceModel, Summary, VerdictRule, Verifier};
+use asbuilt_core::verify::{Evidence, EvidenceModel, Samples, Summary, VerdictRule, Verifier};
 use asbuilt_core::{Error, Result};
 
 use super::evidence_model::{model_arg, parse};
@@ -46,7 +46,8 @@ fn objects(args: &Args, model: &EvidenceModel, crew: &Crew) -> Result<Objects> {
                 Ok((solid, own.unwrap_or(*model)))
             })
         })?);
-        Ok(())
+        // Before any is spread: a few solids can ask for more than there is.
+        check_memory(out.solids.iter().map(|(solid, m)| Samples::expected_memory(solid, m.spacing)).sum())
     })?;
     Ok(out)
 }
@@ -59,21 +60,23 @@ fn absorb_scans(args: &Args, verifier: &mut Verifier, crew: &Crew) -> Result<()>
         optional: 0,
         expected: "a SELECT of one column of ab_scan",
     };
-    let limit = settings::max_evidence_memory();
     for_each_batch(args, query, BATCH, |rows| {
         let patches: Vec<&[u8]> = rows.iter().filter_map(|r| r[0].bytes()).collect();
         crew.run(|interrupt| verifier.absorb(&patches, interrupt))?;
-        let memory = verifier.memory();
-        if memory > limit {
-            let what = "the evidence about all objects together";
-            return Err(Error::Limit {
-                what,
-                value: format!("{} MB", memory >> 20),
-                limit: format!("{} MB (asbuilt.max_evidence_memory)", limit >> 20),
-            });
-        }
-        Ok(())
+        check_memory(verifier.memory())
     })
+}
+
+fn check_memory(bytes: usize) -> Result<()> {
+    let limit = settings::max_evidence_memory();
+    if bytes > limit {
+        return Err(Error::Limit {
+            what: "the evidence about all objects together",
+            value: format!("{} MB", bytes >> 20),
+            limit: format!("{} MB (asbuilt.max_evidence_memory)", limit >> 20),
+        });
+    }
+    Ok(())
 }
 
 fn verdict(
@@ -90,8 +93,10 @@ sql_functions! {
     /// ab_verify_table(objects, scans, model, keep_evidence, min_confirmed, min_coverage, max_conflict)
     fn ab_verify_table(args) {
         let mut out = Rows::new(args)?;
-        if args.is_null(0) || args.is_null(1) {
-            return Ok(Ret::Null);
+        for (i, what) in [(0, "the query of objects"), (1, "the query of scans")] {
+            if args.is_null(i) {
+                return Err(Error::argument(what, "one SELECT", "NULL"));
+            }
         }
         let (model, rule) = (model_arg(args, 2)?, rule(args, 4)?);
         let keep = args.is_null(3) || args.bool(3);

@@ -36,6 +36,7 @@ ORDER BY 1;
 SELECT count(e) AS kept, count(verdict) AS judged FROM ab_verify_table('SELECT id, solid FROM object', 'TABLE scan', keep_evidence => false);
 SELECT verdict FROM ab_verify_table('SELECT id, solid FROM object WHERE id = 1', 'SELECT NULL::ab_scan');
 SELECT count(*) FROM ab_verify_table('SELECT id, solid FROM object', NULL);
+SELECT ab_with_sensor(ab_evidence_model(), NULL);
 
 -- A station added tomorrow: as if all had been there at once, and visible by itself.
 INSERT INTO scan

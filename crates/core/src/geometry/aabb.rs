@@ -61,6 +61,11 @@ impl Aabb {
         (0..3).all(|i| (self.min[i]..=self.max[i]).contains(&p[i]))
     }
 
+    /// Whether a point lies in it.
+    pub fn has(&self, p: &Vec3) -> bool {
+        (0..3).all(|k| self.min[k] <= p[k] && p[k] <= self.max[k])
+    }
+
     /// Whether `o` lies within this box (touching counts).
     pub fn contains(&self, o: &Self) -> bool {
         (0..3).all(|i| self.min[i] <= o.min[i] && o.max[i] <= self.max[i])

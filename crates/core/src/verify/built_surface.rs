@@ -50,12 +50,14 @@ pub struct BuiltSurface {
 #[derive(Debug)]
 pub struct Built {
     pub observations: Observations,
-    /// For each seen sample the deviation of the object's own surface, metres; NaN where it is not seen.
+    /// For each seen sample how far off the object's own surface is, metres; NaN where it is not seen.
     pub own: Vec<f32>,
     /// For each smooth surface.
     pub surfaces: Vec<BuiltSurface>,
     /// All of them as one.
     pub whole: BuiltSurface,
+    /// Displaced by its own thickness, no beam aimed at the object meets it.
+    pub is_slim: bool,
     /// For each face where it is; its samples are not counted yet.
     pub(super) located: Vec<FaceReport>,
 }
@@ -88,7 +90,8 @@ impl Built {
         }
         let coherent = surfaces.iter().any(|s| s.coherent);
         let whole = BuiltSurface::of(coherent, &observations.seen, &own, &all, model, interrupt)?;
-        let mut built = Self { observations, own, surfaces, whole, located: Vec::new() };
+        let is_slim = e.samples.is_slim();
+        let mut built = Self { observations, own, surfaces, whole, is_slim, located: Vec::new() };
         built.locate(e, model, interrupt)?;
         Ok(built)
     }
@@ -210,7 +213,7 @@ impl Course {
             let Some(m) = Met::of(e, observations, s) else {
                 let place = Observed::nothing(e, s);
                 if self.leaves_empty(&place) {
-                    *own = self.consensus.at(&place) as f32;
+                    *own = self.consensus.displacement(&place) as f32;
                     excused += 1;
                 }
                 continue;
@@ -218,7 +221,8 @@ impl Course {
             match self.side_of(&m) {
                 Ordering::Equal => {
                     let residual = self.consensus.residual(&m.observed);
-                    *own = (m.observed.deviation - (1.0 - self.kept) * residual) as f32;
+                    let deviation = m.observed.deviation - (1.0 - self.kept) * residual;
+                    *own = deviation.abs().max(self.consensus.displacement(&m.observed)) as f32;
                     count += 1;
                 }
                 Ordering::Greater => excused += 1,

@@ -2,6 +2,7 @@
 
 use nalgebra::Matrix3;
 
+use super::claims::Claims;
 use super::crossing::Crossing;
 use super::encounter::{self, Encounters, Seen};
 use super::evidence::{Evidence, Place};
@@ -30,6 +31,8 @@ pub struct Collector {
     balls: Vec<(Vec3, f64)>,
     /// Made when the first point without a beam comes.
     point_index: Option<PointIndex>,
+    /// Displaced by its own thickness, no beam aimed at it meets it.
+    is_slim: bool,
 }
 
 impl Collector {
@@ -42,7 +45,8 @@ impl Collector {
         let fingerprint = solid.fingerprint(interrupt)?;
         let (bounds, stations) = (solid.bounds(), Vec::new());
         let evidence = Evidence { model, fingerprint, bounds, samples, knows_neighbours: false, stations };
-        Ok(Self { evidence, target: Target::new(solid, interrupt)?, balls, point_index: None })
+        let is_slim = evidence.samples.is_slim();
+        Ok(Self { evidence, target: Target::new(solid, interrupt)?, balls, point_index: None, is_slim })
     }
 
     /// Says that beams which other objects explain are left out of all that comes.
@@ -101,33 +105,37 @@ impl Collector {
         match (&patch.beams, self.evidence.model.kind) {
             (Beams::FromOne(view), ModelKind::Surface) => {
                 let crossings = self.target.crossings(view, self.reach(&view.header), interrupt)?;
-                Ok(if crossings.is_empty() { Aim::Aside } else { Aim::At(crossings) })
+                Ok(if crossings.is_empty() && !self.is_slim { Aim::Aside } else { Aim::At(crossings) })
             }
             _ => Ok(Aim::Unknown),
         }
     }
 
-    /// Marks the beams of the patch that met the solid where it is drawn.
-    pub(super) fn explain(&self, patch: &Unpacked, aim: &Aim, explained: &mut [bool]) {
+    /// Claims for this solid, number `object`, the beams of the patch that met something near where it is drawn.
+    pub(super) fn claim(&self, patch: &Unpacked, aim: &Aim, object: u32, claims: &mut Claims) {
         if let (Beams::FromOne(view), Aim::At(crossings)) = (&patch.beams, aim) {
-            encounter::explain(view, &self.target, crossings, &self.evidence.model, explained);
+            encounter::claim(view, &self.target, crossings, object, claims);
         }
     }
 
-    /// Adds what a patch says whose aim is known. What met another object where that is drawn (`explained`, by slot)
-    /// hides a face behind it, and does not displace it.
+    /// Adds what a patch says whose aim is known. What is rather another object's (`others`: by slot, how far that one's
+    /// drawn surface is, metres) does not displace this one.
     pub(super) fn absorb_aimed(
         &mut self,
         patch: &Unpacked,
         aim: &Aim,
-        explained: Option<&[bool]>,
+        others: Option<&dyn Fn(usize) -> f64>,
         interrupt: Interrupt,
     ) -> Result<()> {
         match (&patch.beams, aim) {
             (_, Aim::Aside) => Ok(()),
             (Beams::FromOne(view), Aim::At(crossings)) => {
                 let place = Place::At(view.header.origin);
-                self.absorb_crossings(view, crossings, place, explained, Some, interrupt)
+                self.absorb_crossings(view, crossings, place, others, Some, interrupt)?;
+                match others {
+                    Some(others) if self.is_slim => self.absorb_beside(view, crossings, others, interrupt),
+                    _ => Ok(()),
+                }
             }
             (Beams::FromOne(view), _) => self.absorb_view(view, Place::At(view.header.origin), Some, interrupt),
             // Each place speaks alone; together they are one station.
@@ -217,6 +225,62 @@ impl Collector {
         self.evidence.check_size()
     }
 
+    /// Adds the returns beside a slim solid that no other object explains: each speaks for the face nearest to it.
+    fn absorb_beside(
+        &mut self,
+        view: &View,
+        crossings: &[Crossing],
+        others: &dyn Fn(usize) -> f64,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        let Self { evidence, point_index, .. } = self;
+        let index = match point_index {
+            Some(index) => index,
+            None => point_index.insert(PointIndex::of(&evidence.samples, interrupt)?),
+        };
+        let model = evidence.model;
+        let (header, band) = (&view.header, (model.band_in_front(), model.band_in_front()));
+        let around = evidence.bounds.expanded(band.0);
+        let station = evidence.station_index(header.station, Place::At(header.origin));
+        let Evidence { samples, stations, .. } = evidence;
+        let scanner = header.origin - samples.reference;
+        let mut crossing = crossings.iter().map(|c| c.slot as usize).peekable();
+        for slot in 0..view.len() {
+            if slot % 1024 == 0 {
+                poll(interrupt)?;
+            }
+            if crossing.next_if_eq(&slot).is_some() || view.ranges[slot].is_infinite() {
+                continue;
+            }
+            let met = view.directions[slot] * view.ranges[slot] + header.origin;
+            if !around.has(&met) {
+                continue;
+            }
+            let spacing = f64::from(header.step) * view.ranges[slot];
+            let position = met - samples.reference;
+            let point = LocalPoint { position, covariance: Matrix3::zeros(), spacing };
+            let station = &mut stations[station];
+            index.gather(samples, &point, band, |touch| {
+                if encounter::may_be_anothers(touch.deviation.abs(), others(slot), &model) {
+                    return;
+                }
+                let block = samples.blocks[touch.block as usize];
+                let sums = station
+                    .blocks
+                    .entry(touch.block)
+                    .or_insert_with(|| vec![Sums::default(); block.len as usize].into());
+                // Sums count towards the scanner.
+                let sight = samples.local(block.start as usize + touch.k) - scanner;
+                let away = sight.dot(&samples.normals[block.face as usize]) > 0.0;
+                let deviation = if away { -touch.deviation } else { touch.deviation };
+                surface_sums::add_point(touch.weight, deviation, touch.variance, &mut sums[touch.k]);
+            });
+            station.step = station.step.max(header.step);
+        }
+        stations.retain(|s| !s.blocks.is_empty());
+        self.evidence.check_size()
+    }
+
     /// `adjust` may take back some of what the beams saw.
     fn absorb_view(
         &mut self,
@@ -242,12 +306,12 @@ impl Collector {
         view: &View,
         crossings: &[Crossing],
         place: Place,
-        explained: Option<&[bool]>,
+        others: Option<&dyn Fn(usize) -> f64>,
         adjust: impl Fn(Seen) -> Option<Seen>,
         interrupt: Interrupt,
     ) -> Result<()> {
         let model = self.evidence.model;
-        let Some(encounters) = Encounters::of(view, &self.target, crossings, &model, explained, adjust) else {
+        let Some(encounters) = Encounters::of(view, &self.target, crossings, &model, others, adjust) else {
             return Ok(());
         };
         let min_cos = model.max_incidence.cos();

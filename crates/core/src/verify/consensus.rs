@@ -133,6 +133,17 @@ impl Consensus {
         self.course.dot(&self.basis.row(o))
     }
 
+    /// How far the surface as a whole is displaced where it passes a place, metres: of a mantle the offset of its axis,
+    /// whichever way the facet there looks.
+    pub fn displacement(&self, o: &Observed) -> f64 {
+        if !self.basis.curved {
+            return self.at(o).abs();
+        }
+        let s = self.basis.row(&Observed { normal: Vec3::repeat(1.0), ..*o });
+        let offset = |k: usize| (0..3).map(|term| self.course[3 * term + k] * s[3 * term + k]).sum();
+        Vec3::new(offset(0), offset(1), offset(2)).norm()
+    }
+
     /// Deviation against the course's at this place.
     pub fn residual(&self, o: &Observed) -> f64 {
         o.deviation - self.at(o)

@@ -1,5 +1,6 @@
 //! What each beam of a patch saw where it would cross the solid, laid out for the samples around.
 
+use super::claims::{Claims, MAX_CLAIM_M};
 use super::crossing::Crossing;
 use super::foot::Foot;
 use super::model::EvidenceModel;
@@ -13,10 +14,13 @@ pub const WEIGHT: f64 = 65_536.0;
 pub const DEVIATION: f64 = 131_072.0;
 
 /// A beam met an object where it is drawn within this, or within 3 σ, metres.
-const EXPLAINED_M: f64 = 0.01;
-/// What was drawn as another object and stands farther than this in front of a face hides it; farther behind it, the
-/// face is not there, metres.
-const HIDDEN_M: f64 = 0.02;
+const AS_DRAWN_M: f64 = 0.01;
+/// What stands farther in front of a face than this, or than 3 σ, and is rather another object's hides it, metres …
+const HIDDEN_M: f64 = 0.005;
+/// … and farther behind it, where that object was drawn, pierced it, metres.
+const PIERCED_M: f64 = 0.02;
+/// It is another object's where it lies so many times nearer to that one's drawn surface.
+const RATHER: f64 = 2.0;
 
 /// What one beam saw.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,27 +53,29 @@ struct Encounter {
 
 impl Encounters {
     /// Classifies every beam of the view against its crossing; `None` if none has anything to say. `adjust` may take
-    /// back some of it; `explained` tells of every beam whether it met what is drawn of another object.
+    /// back some of it; `others` tells of every beam how far (m) another object's drawn surface is from what it met.
     pub fn of(
         view: &View,
         target: &Target,
         crossings: &[Crossing],
         model: &EvidenceModel,
-        explained: Option<&[bool]>,
+        others: Option<&dyn Fn(usize) -> f64>,
         adjust: impl Fn(Seen) -> Option<Seen>,
     ) -> Option<Self> {
-        let min_cos = model.max_incidence.cos();
+        let (min_cos, noise) = (model.max_incidence.cos(), three_sigma(model));
         let mut widest: f64 = 0.0;
         let mut all = Vec::new();
         for crossing in crossings {
             let slot = crossing.slot as usize;
             let Some(mut e) = encounter(view, target, crossing, min_cos, model) else { continue };
-            if let (true, Seen::Surface(d, _)) = (explained.is_some_and(|x| x[slot]), e.seen) {
-                match f64::from(d) / DEVIATION {
-                    d if d > HIDDEN_M => continue,
-                    // It passed the face on its way to another object's.
-                    d if d < -HIDDEN_M => e.seen = Seen::Through(1.0),
-                    _ => {}
+            if let (Some(others), Seen::Surface(d, _)) = (others, e.seen) {
+                let (d, other) = (f64::from(d) / DEVIATION, others(slot));
+                if RATHER * other < d && d > noise.max(HIDDEN_M) {
+                    continue;
+                }
+                // It passed the face on its way to the other object.
+                if RATHER * other < -d && -d > noise.max(PIERCED_M) && other <= noise.max(AS_DRAWN_M) {
+                    e.seen = Seen::Through(1.0);
                 }
             }
             let Some(seen) = adjust(e.seen) else { continue };
@@ -108,15 +114,26 @@ impl Encounters {
     }
 }
 
-/// Marks the beams that met the solid where it is drawn.
-pub fn explain(view: &View, target: &Target, crossings: &[Crossing], model: &EvidenceModel, explained: &mut [bool]) {
-    let noise = model.sigma_range.hypot(model.sigma_station);
-    let tolerance = EXPLAINED_M.max(3.0 * noise);
+/// Claims for `object` the beams that met something near where it is drawn.
+pub fn claim(view: &View, target: &Target, crossings: &[Crossing], object: u32, claims: &mut Claims) {
     for crossing in crossings {
         let slot = crossing.slot as usize;
         let cos = -view.directions[slot].dot(&crossing.normal(target));
-        explained[slot] |= ((crossing.distance - view.ranges[slot]) * cos).abs() <= tolerance;
+        let distance = ((crossing.distance - view.ranges[slot]) * cos).abs() as f32;
+        if distance <= MAX_CLAIM_M {
+            claims.stake(slot, object, distance);
+        }
     }
+}
+
+/// Whether a return beside an object, `own` metres from its drawn surface and `other` from another one's, may be the
+/// other's.
+pub fn may_be_anothers(own: f64, other: f64, model: &EvidenceModel) -> bool {
+    other < RATHER * own.max(three_sigma(model)).max(AS_DRAWN_M)
+}
+
+fn three_sigma(model: &EvidenceModel) -> f64 {
+    3.0 * model.sigma_range.hypot(model.sigma_station)
 }
 
 fn encounter(

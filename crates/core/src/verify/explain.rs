@@ -4,9 +4,11 @@ use std::fmt::Write;
 
 use super::built_surface::{Built, BuiltSurface};
 use super::evidence::Evidence;
-use super::judgement::{Judgement, MIN_EMPTY, Totals};
+use super::judgement::{
+    Judgement, MAX_OWN_OF_ABSENT, MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_EMPTY, MIN_PRESENT, Reason, Totals,
+};
 use super::model::{EvidenceModel, ModelKind};
-use super::summary::{Verdict, VerdictRule};
+use super::summary::VerdictRule;
 use crate::evidence::Loa;
 use crate::{Interrupt, Result};
 
@@ -20,7 +22,7 @@ impl Evidence {
         let totals = &judgement.totals;
         let mut out = format!(
             "{} at {} (±{} mm), model {}, confidence {}\n",
-            judgement.verdict.name(),
+            judgement.verdict().name(),
             model.loa.name(),
             model.tolerance() * 1e3,
             model.kind.name(),
@@ -37,7 +39,7 @@ impl Evidence {
         );
         if totals.seen > 0 {
             out += &what_they_say(totals, &model);
-            out += &decision(judgement.verdict, totals, rule);
+            out += &decision(&judgement, &built, &model, rule);
         }
         if model.kind == ModelKind::Surface && totals.own > 0 {
             out += &surfaces(&built, &model, best_loa);
@@ -68,26 +70,66 @@ fn what_they_say(totals: &Totals, model: &EvidenceModel) -> String {
     out
 }
 
-fn decision(verdict: Verdict, totals: &Totals, rule: &VerdictRule) -> String {
-    let (in_place, decided) = (percent(totals.in_place(), totals.decided()), totals.decided());
-    let why = match verdict {
-        Verdict::Unobserved => "too little was seen, decided, or sure enough for this tolerance".into(),
-        Verdict::Conflicting => format!("stations contradict each other by more than {}", rule.max_conflict),
-        Verdict::Absent => {
-            let empty = percent(totals.pierced, decided);
-            format!("{empty} of what is decided was seen empty, more than {}", percent_of(MIN_EMPTY))
-        }
-        Verdict::Deviating => format!(
-            "a well-seen surface keeps the tolerance in less than {} of its places, a face is mostly not there, or too little \
-            of what is decided ({in_place}) is in place",
-            percent_of(rule.min_within())
+fn decision(judgement: &Judgement, built: &Built, model: &EvidenceModel, rule: &VerdictRule) -> String {
+    let totals = &judgement.totals;
+    let (decided, within) = (totals.decided(), rule.min_within());
+    let (in_place, empty) = (percent(totals.in_place(), decided), percent(totals.pierced, decided));
+    let tolerance = model.tolerance() * 1e3;
+    let because = match judgement.reason {
+        Reason::TooLittleSeen => format!("less was seen than {}", percent_of(rule.min_coverage)),
+        Reason::Contradiction => format!("stations contradict each other by more than {}", rule.max_conflict),
+        Reason::TooLittleDecided => format!(
+            "only {} of what was seen says anything, less than {}",
+            percent(decided, totals.seen),
+            percent_of(MIN_DECIDED)
         ),
-        Verdict::Confirmed => format!(
-            "{in_place} of what is decided is in place, and every well-seen surface keeps the tolerance in {} of its places",
-            percent_of(rule.min_within())
+        Reason::Empty => format!(
+            "{empty} of what is decided was seen empty, more than {}; the object's own surface is less than {} of it",
+            percent_of(MIN_EMPTY),
+            percent_of(MAX_OWN_OF_ABSENT)
+        ),
+        Reason::Beside => format!(
+            "{empty} of what is decided was seen empty, but something that no other object explains stands beside it"
+        ),
+        Reason::Displaced(s) => format!(
+            "{} of {} keeps ±{tolerance} mm, less than {} (less {} for chance)",
+            percent_of(1.0 - judgement.surfaces[s].beyond as f64 / judgement.surfaces[s].own.max(1) as f64),
+            looking(judgement, s),
+            percent_of(within),
+            percent_of(built.surfaces[s].allowed_beyond(within) - (1.0 - within))
+        ),
+        Reason::Pierced(s) => format!(
+            "{} samples of {} were seen empty, {} show it: part of the object is not there",
+            judgement.surfaces[s].pierced,
+            looking(judgement, s),
+            judgement.surfaces[s].confirmed.max(judgement.surfaces[s].own)
+        ),
+        Reason::OutOfPlace => format!(
+            "{in_place} of what is decided is in place, less than {}",
+            percent_of(rule.min_confirmed.min(MIN_PRESENT))
+        ),
+        Reason::TooUnsure => format!(
+            "what was seen is in place, but not known well enough for ±{tolerance} mm (σ {:.1} mm), and less than {} of it \
+            is confirmed sample by sample",
+            built.whole.sd * 1e3,
+            percent_of(MIN_CONFIRMED_OF_SEEN)
+        ),
+        Reason::InPlace => format!(
+            "{in_place} of what is decided is in place, and every well-seen surface keeps ±{tolerance} mm in {} of its \
+            places, but for chance",
+            percent_of(within)
         ),
     };
-    format!("because: {why}\n")
+    format!("because: {because}\n")
+}
+
+/// A smooth surface by where its largest face looks.
+fn looking(judgement: &Judgement, surface: usize) -> String {
+    let own = judgement.faces.iter().filter(|f| f.smooth_surface as usize == surface);
+    let count = own.clone().count();
+    let n = own.max_by_key(|f| f.seen).map_or_else(Default::default, |f| f.normal);
+    let what = if count == 1 { "the face".into() } else { format!("the surface of {count} faces") };
+    format!("{what} that looks towards ({:.2}, {:.2}, {:.2})", n.x, n.y, n.z)
 }
 
 fn surfaces(built: &Built, model: &EvidenceModel, best: Option<Loa>) -> String {

@@ -13,12 +13,14 @@ const MIN_SEEN: u64 = 5;
 pub(super) const MIN_EMPTY: f64 = 0.6;
 /// … but not where as much of the decided shows the object's own surface, in place or not: it was built in part, or
 /// displaced by more than it is thick.
-const MAX_OWN_OF_ABSENT: f64 = 0.25;
+pub(super) const MAX_OWN_OF_ABSENT: f64 = 0.25;
+/// A slim object stands beside its place when something was met off as many samples as this share of the empty ones.
+const MIN_BESIDE: f64 = 0.2;
 /// Least share of the seen samples that must say something; below it everything is open.
-const MIN_DECIDED: f64 = 0.2;
+pub(super) const MIN_DECIDED: f64 = 0.2;
 /// Least share of the seen samples that must speak for the object before it is confirmed, where its surface as a whole
 /// is not known.
-const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
+pub(super) const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
 /// A surface counts as well seen with this share of the object's samples that have one.
 const WELL_SEEN_SHARE: f64 = 0.03;
 const WELL_SEEN_SAMPLES: u64 = 10;
@@ -27,21 +29,61 @@ const WELL_SEEN_SAMPLES: u64 = 10;
 const MIN_WITHIN: f64 = 0.75;
 /// Least share of the decided samples that must show the object in place, however strict the rule is about where its
 /// surfaces are: openings and furniture take the rest.
-const MIN_PRESENT: f64 = 0.6;
+pub(super) const MIN_PRESENT: f64 = 0.6;
 /// A smooth surface with this share of the seen samples can condemn the object by being pierced.
 const LARGE_SHARE: f64 = 0.1;
 /// A face is certainly off when its deviation is this many σ: the largest of several that are not seldom is.
 const CERTAINLY_OFF: f64 = 3.0;
 
+/// What decides; surfaces by number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Reason {
+    /// Fewer samples were seen than the rule asks for.
+    TooLittleSeen,
+    /// Stations contradict each other.
+    Contradiction,
+    /// Too few of the seen samples say anything.
+    TooLittleDecided,
+    /// The object's space was seen empty.
+    Empty,
+    /// It was, and something that no other object explains stands beside it.
+    Beside,
+    /// This surface keeps the tolerance in too few of its places.
+    Displaced(usize),
+    /// This surface is mostly not there.
+    Pierced(usize),
+    /// Too little of what is decided is in place.
+    OutOfPlace,
+    /// In place, but not known well enough for the tolerance.
+    TooUnsure,
+    /// In place.
+    InPlace,
+}
+
+impl Reason {
+    pub fn verdict(self) -> Verdict {
+        match self {
+            Self::TooLittleSeen | Self::TooLittleDecided | Self::TooUnsure => Verdict::Unobserved,
+            Self::Contradiction => Verdict::Conflicting,
+            Self::Empty => Verdict::Absent,
+            Self::Beside | Self::Displaced(_) | Self::Pierced(_) | Self::OutOfPlace => Verdict::Deviating,
+            Self::InPlace => Verdict::Confirmed,
+        }
+    }
+}
+
 /// A verdict with all that it was made from.
 pub(super) struct Judgement {
-    pub verdict: Verdict,
+    pub reason: Reason,
     pub faces: Vec<FaceReport>,
     pub totals: Totals,
     /// For each smooth surface.
-    surfaces: Vec<Totals>,
+    pub surfaces: Vec<Totals>,
     /// For each smooth surface whether too little of it keeps the tolerance.
     displaced: Vec<bool>,
+    /// The place of a slim object is empty, and something that no other object explains stands beside it: itself,
+    /// displaced by its thickness. How far is not known.
+    pub beside: bool,
 }
 
 /// The counts of several faces added up.
@@ -103,6 +145,10 @@ impl VerdictRule {
 }
 
 impl Judgement {
+    pub fn verdict(&self) -> Verdict {
+        self.reason.verdict()
+    }
+
     /// Judges at the tolerance and confidence of `model`.
     pub fn of(built: &Built, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Self> {
         let faces = built.faces(model, interrupt)?;
@@ -114,41 +160,57 @@ impl Judgement {
             }
         }
         let displaced = displaced(&surfaces, &totals, built, rule.min_within());
-        let mut out = Self { verdict: Verdict::Unobserved, faces, totals, surfaces, displaced };
-        out.verdict = out.decide(built, model, rule);
+        let reason = Reason::TooLittleSeen;
+        let mut out = Self { reason, faces, totals, surfaces, displaced, beside: false };
+        out.beside = out.is_beside(built);
+        out.reason = out.decide(built, model, rule);
         Ok(out)
     }
 
-    fn decide(&self, built: &Built, model: &EvidenceModel, rule: &VerdictRule) -> Verdict {
+    fn decide(&self, built: &Built, model: &EvidenceModel, rule: &VerdictRule) -> Reason {
         let totals = &self.totals;
         let (seen, decided) = (totals.seen as f64, totals.decided() as f64);
         if !totals.cover(rule) {
-            return Verdict::Unobserved;
+            return Reason::TooLittleSeen;
         }
         // Before "undecided": contradiction is what leaves samples open. The ray model's conflict says nothing of this
         // kind.
         if model.kind == ModelKind::Surface && totals.conflict > rule.max_conflict * seen {
-            return Verdict::Conflicting;
+            return Reason::Contradiction;
         }
         if decided == 0.0 || decided < MIN_DECIDED * seen {
-            return Verdict::Unobserved;
+            return Reason::TooLittleDecided;
         }
-        if totals.pierced as f64 > MIN_EMPTY * decided && (totals.own as f64) < MAX_OWN_OF_ABSENT * decided {
-            return Verdict::Absent;
+        if self.is_empty() {
+            return if self.beside { Reason::Beside } else { Reason::Empty };
         }
-        let least = rule.min_confirmed.min(MIN_PRESENT);
-        if self.displaced.contains(&true)
-            || self.surfaces.iter().any(|s| mostly_pierced(s, totals))
-            || (totals.in_place() as f64) < least * decided
-        {
-            return Verdict::Deviating;
+        if let Some(surface) = self.displaced.iter().position(|d| *d) {
+            return Reason::Displaced(surface);
+        }
+        if let Some(surface) = self.surfaces.iter().position(|s| mostly_pierced(s, totals)) {
+            return Reason::Pierced(surface);
+        }
+        if (totals.in_place() as f64) < rule.min_confirmed.min(MIN_PRESENT) * decided {
+            return Reason::OutOfPlace;
         }
         // Too rough or too noisy for this tolerance; the ray model leaves most open by its nature.
         let known = built.whole.is_known_to_hold(model.tolerance());
         if model.kind == ModelKind::Surface && !known && (totals.confirmed as f64) < MIN_CONFIRMED_OF_SEEN * seen {
-            return Verdict::Unobserved;
+            return Reason::TooUnsure;
         }
-        Verdict::Confirmed
+        Reason::InPlace
+    }
+
+    fn is_beside(&self, built: &Built) -> bool {
+        let Totals { seen, own, pierced, .. } = self.totals;
+        let beside = built.observations.beside + seen.saturating_sub(own + pierced);
+        built.is_slim && self.is_empty() && beside as f64 >= MIN_BESIDE * pierced as f64
+    }
+
+    /// Whether most of what is decided was seen empty, and little of the object.
+    fn is_empty(&self) -> bool {
+        let decided = self.totals.decided() as f64;
+        self.totals.pierced as f64 > MIN_EMPTY * decided && (self.totals.own as f64) < MAX_OWN_OF_ABSENT * decided
     }
 
     /// The face whose deviation stands for the object: of those that are certainly off the farthest, else the largest.
@@ -184,6 +246,14 @@ impl Built {
     }
 }
 
+impl BuiltSurface {
+    /// Share of its samples that may lie beyond the tolerance: what the rule leaves, and two σ of chance.
+    pub(super) fn allowed_beyond(&self, min_within: f64) -> f64 {
+        let share = 1.0 - min_within;
+        share + 2.0 * (share * min_within / self.independent.max(1.0)).sqrt()
+    }
+}
+
 /// Whether a part of the object's own samples is enough to count.
 fn counts(part: u64, whole: u64) -> bool {
     part >= WELL_SEEN_SAMPLES.min(whole) && part as f64 >= WELL_SEEN_SHARE * whole as f64
@@ -192,12 +262,7 @@ fn counts(part: u64, whole: u64) -> bool {
 /// For each smooth surface whether less than `min_within` of it keeps the tolerance; where that holds of the whole object
 /// although of none of its surfaces, all.
 fn displaced(surfaces: &[Totals], totals: &Totals, built: &Built, min_within: f64) -> Vec<bool> {
-    let allowed = |s: &BuiltSurface| {
-        let share = 1.0 - min_within;
-        share + 2.0 * (share * min_within / s.independent.max(1.0)).sqrt()
-    };
-    // Two σ of chance more than allowed.
-    let off = |s: &BuiltSurface, t: &Totals| t.beyond as f64 > allowed(s) * t.own as f64;
+    let off = |s: &BuiltSurface, t: &Totals| t.beyond as f64 > s.allowed_beyond(min_within) * t.own as f64;
     let each = |(s, t): (&BuiltSurface, &Totals)| counts(t.own, totals.own) && off(s, t);
     let mut out: Vec<bool> = built.surfaces.iter().zip(surfaces).map(each).collect();
     if !out.contains(&true) && totals.own > 0 && off(&built.whole, totals) {

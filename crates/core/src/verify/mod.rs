@@ -8,6 +8,7 @@
 
 mod belief;
 mod built_surface;
+mod claims;
 mod collect;
 mod consensus;
 mod crossing;

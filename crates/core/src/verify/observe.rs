@@ -41,6 +41,8 @@ pub struct Observations {
     /// For each face its run in `seen`.
     pub faces: Vec<std::ops::Range<usize>>,
     pub heard: Vec<Heard>,
+    /// Samples off which something was met by too few beams, or too unevenly, to call them seen.
+    pub beside: u64,
     bodies: Vec<Body>,
     rays: Vec<LogCommonality>,
 }
@@ -66,6 +68,8 @@ impl Observations {
                 reading.read(&heard, i, &e.samples.position(at), normal, model);
                 if reading.seen {
                     out.push(e.samples.positions[at], block.face, &reading, model);
+                } else {
+                    out.beside += u64::from(Body::that_met(&reading.bodies).is_some());
                 }
             }
         }

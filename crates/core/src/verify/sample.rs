@@ -10,6 +10,10 @@ pub const BLOCK: usize = 64;
 /// Most samples of one object, 2000 m² at 2 cm: keeps its evidence within PostgreSQL's 1 GB.
 const MAX_SAMPLES: f64 = 5e6;
 
+/// Slim solids measure less than this across: displaced by the 6 cm that happen on sites, a fourth of it is left where it
+/// is drawn.
+const SLIM_M: f64 = 0.25;
+
 /// Points spread evenly over a solid's surface, in blocks of neighbours on one face.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Samples {
@@ -43,6 +47,12 @@ impl Samples {
         spacing.max((solid.area() / MAX_SAMPLES).sqrt())
     }
 
+    /// Bytes that the samples on `solid` will take, at least.
+    pub fn expected_memory(solid: &Solid, spacing: f64) -> usize {
+        let spacing = Self::effective_spacing(solid, spacing);
+        (solid.area() / (spacing * spacing)) as usize * size_of::<[f32; 3]>()
+    }
+
     /// Spreads samples over `solid`, one for about every [`Samples::effective_spacing`]² of its area (m). A solid
     /// without area has none.
     pub fn on(solid: &Solid, spacing: f64, interrupt: Interrupt) -> Result<Self> {
@@ -64,6 +74,18 @@ impl Samples {
             out.push_face(face as u32, &points, interrupt)?;
         }
         Ok(out)
+    }
+
+    /// Whether the solid is long and thin: across its longest extent it measures less than [`SLIM_M`].
+    pub(super) fn is_slim(&self) -> bool {
+        let n = self.positions.len().max(1) as f64;
+        let local = || self.positions.iter().map(|p| Vec3::from(p.map(f64::from)));
+        let mean = local().sum::<Vec3>() / n;
+        let covariance = local().map(|p| (p - mean) * (p - mean).transpose() / n).sum::<nalgebra::Matrix3<f64>>();
+        let mut variances: [f64; 3] = covariance.symmetric_eigenvalues().into();
+        variances.sort_by(f64::total_cmp);
+        // Of the hollow square of side a: a²/6.
+        (6.0 * variances[1]).sqrt() < SLIM_M
     }
 
     fn push_face(&mut self, face: u32, points: &[Vec3], interrupt: Interrupt) -> Result<()> {

@@ -15,8 +15,14 @@ const MIN_SAMPLES: u64 = 10;
 const MIN_SHARE: f64 = 0.05;
 /// Huber's constant for 95 % efficiency at the normal distribution.
 const HUBER: f64 = 1.345;
+/// An axis of which a greater part (squared) lies along what no face determines has no offset of its own.
+const MAX_UNDETERMINED: f64 = 0.01;
+/// How far an object may be off along what no face determines, metres.
+const UNSEEN_M: f64 = 0.03;
+/// Error of the offset of a round object, as a part of t²/r: moved by its radius r, it is known to 7 % (measured).
+const OF_ROUND: f64 = 0.07;
 /// A smooth surface of as many facets is curved.
-const MIN_FACETS: usize = 3;
+pub(super) const MIN_FACETS: usize = 3;
 /// Below this length the faces' offsets are linear in the shift, however curved the object, to a tenth of a
 /// millimetre (5 mm across a column of 0.12 m radius).
 const LINEAR_M: f64 = 0.005;
@@ -73,20 +79,32 @@ impl Shift {
             })
             .collect();
         let mut solution = Solution::of(&votes, &projector)?;
-        if solution.vector.norm() > LINEAR_M && is_curved(&voting) {
+        let curved = is_curved(&voting);
+        if solution.vector.norm() > LINEAR_M && curved {
             solution = points.refine(solution.vector, &projector).unwrap_or(solution);
         }
         let t = solution.vector;
-        let second_order = model.second_order_sd(t.norm()).powi(2);
+        let roundness = points.mantle_radius().filter(|_| curved).map_or(0.0, |r| OF_ROUND * t.norm_squared() / r);
+        let second_order = if curved { roundness } else { model.second_order_sd(t.norm()) }.powi(2);
         let covariance = solution.random
             + solution.stations * model.sigma_station.powi(2)
             + projector * (model.sigma_model.powi(2) + model.least_variance() + second_order);
         Some(Self { vector: t, covariance, undetermined: undetermined.iter().map(column).collect() })
     }
 
-    /// Whether a world axis lies mostly within the determined directions.
+    /// Whether a world axis lies within the determined directions, to 6°.
     pub fn determines(&self, axis: usize) -> bool {
-        self.undetermined.iter().map(|u| u[axis] * u[axis]).sum::<f64>() < 0.75
+        self.undetermined_part(axis) < MAX_UNDETERMINED
+    }
+
+    /// σ of the offset along a world axis, metres, with what an unseen offset along the undetermined directions would add.
+    pub fn sd(&self, axis: usize) -> f64 {
+        let unseen = self.undetermined_part(axis) * UNSEEN_M * UNSEEN_M;
+        (self.covariance[(axis, axis)].max(0.0) + unseen).sqrt()
+    }
+
+    fn undetermined_part(&self, axis: usize) -> f64 {
+        self.undetermined.iter().map(|u| u[axis] * u[axis]).sum()
     }
 
     /// Text `(+0.0121, -, +0.0003) +/- (0.0004, -, 0.0005)`, metres; `-` for an undetermined axis.
@@ -95,7 +113,7 @@ impl Shift {
             [0, 1, 2].map(|i| if self.determines(i) { f(i) } else { "-".into() }).join(", ")
         };
         let values = list(&|i| format!("{:+.4}", self.vector[i]));
-        let sds = list(&|i| format!("{:.4}", self.covariance[(i, i)].max(0.0).sqrt()));
+        let sds = list(&|i| format!("{:.4}", self.sd(i)));
         format!("({values}) +/- ({sds})")
     }
 }

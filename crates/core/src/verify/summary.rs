@@ -37,7 +37,8 @@ impl Verdict {
 pub struct VerdictRule {
     /// Least share of all samples that must be seen.
     pub min_coverage: f64,
-    /// Least share of the decided samples (confirmed or refuted) that must be confirmed.
+    /// Least share of each well-seen surface that must keep the tolerance (0.75 where less is given), and, up to 0.6,
+    /// of what is decided that must be in place.
     pub min_confirmed: f64,
     /// Mean conflict between stations from which nothing else is said.
     pub max_conflict: f64,
@@ -89,7 +90,7 @@ impl Evidence {
     pub fn verdict(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Verdict> {
         let model = self.question(model);
         let built = Built::of(self, &model, interrupt)?;
-        Ok(Judgement::of(&built, &model, rule, interrupt)?.verdict)
+        Ok(Judgement::of(&built, &model, rule, interrupt)?.verdict())
     }
 
     /// Every face as judged at the level of accuracy and confidence of `model`.
@@ -120,11 +121,11 @@ impl Evidence {
         interrupt: Interrupt,
     ) -> Result<Summary> {
         let totals = &judgement.totals;
-        // Surfaces met where an absent object should stand are not its own.
-        let stands = judgement.verdict != Verdict::Absent && totals.cover(rule);
+        // Surfaces met where an absent object should stand are not its own; beside its place they do not tell how far off.
+        let stands = judgement.verdict() != Verdict::Absent && !judgement.beside && totals.cover(rule);
         let seen = totals.seen as f64;
         Ok(Summary {
-            verdict: judgement.verdict,
+            verdict: judgement.verdict(),
             best_loa: if stands { best_loa(built, judgement, model, rule, interrupt)? } else { None },
             samples: totals.samples,
             coverage: if totals.samples > 0 { seen / totals.samples as f64 } else { 0.0 },
@@ -163,13 +164,13 @@ fn best_loa(
 ) -> Result<Option<Loa>> {
     if model.kind == ModelKind::Meyer2022 {
         // Its masses do not know the tolerance.
-        return Ok((judgement.verdict == Verdict::Confirmed).then_some(model.loa));
+        return Ok((judgement.verdict() == Verdict::Confirmed).then_some(model.loa));
     }
     let rule = VerdictRule { min_confirmed: rule.min_confirmed.max(MIN_WITHIN_USIBD), ..*rule };
     for loa in Loa::ALL.into_iter().rev() {
         let model = EvidenceModel { loa, ..*model };
         let proven = || built.is_proven(loa.upper(), model.confidence);
-        if proven() && Judgement::of(built, &model, &rule, interrupt)?.verdict == Verdict::Confirmed {
+        if proven() && Judgement::of(built, &model, &rule, interrupt)?.verdict() == Verdict::Confirmed {
             return Ok(Some(loa));
         }
     }

@@ -1,12 +1,14 @@
 //! The built surface as points, fitted to the drawn one.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Matrix3;
 use rstar::RTree;
 use rstar::primitives::GeomWithData;
 
 use super::evidence::{Evidence, Place};
 use super::reading::independence;
-use super::shift::{Solution, Vote};
+use super::shift::{MIN_FACETS, Solution, Vote};
 use super::surface_sums::SurfaceReading;
 use crate::geometry::Vec3;
 use crate::{Interrupt, Result, poll};
@@ -43,16 +45,21 @@ pub struct SurfacePoints {
     built: Vec<Point>,
     drawn: Vec<Drawn>,
     normals: Vec<Vec3>,
+    surface_of_face: Vec<u32>,
 }
 
 impl SurfacePoints {
-    /// Where each station met a surface: on its sight line to a sample, short of it by d/cos θ.
+    /// Where each station met a surface: off each sample by the deviation along its normal.
     pub(super) fn of(e: &Evidence, interrupt: Interrupt) -> Result<Self> {
         let samples = &e.samples;
         let stride = |n: usize, most: usize| n.div_ceil(most).max(1);
         let (every_drawn, every_built) =
             (stride(samples.len(), MAX_SAMPLES), stride(samples.len() * e.stations.len(), MAX_POINTS));
-        let mut out = Self { normals: samples.normals.clone(), ..Self::default() };
+        let mut out = Self {
+            normals: samples.normals.clone(),
+            surface_of_face: samples.surface_of_face.clone(),
+            ..Self::default()
+        };
         let mut counter = 0;
         for (b, block) in samples.blocks.iter().enumerate() {
             poll(interrupt)?;
@@ -75,8 +82,10 @@ impl SurfacePoints {
                             }
                             Place::Many | Place::Unknown => (-normal, 0.0),
                         };
-                        let cos = sight.dot(normal).abs().max(0.1);
-                        let position = local - sight * (r.deviation / cos);
+                        // Sums count towards the scanner, and belong to the foot of what was met.
+                        let towards = if sight.dot(normal) <= 0.0 { *normal } else { -normal };
+                        let position = local + towards * r.deviation;
+                        let cos = sight.dot(normal).abs();
                         let sd = POINT_SD_M / independence(station, range, cos, &e.model).sqrt();
                         out.built.push(Point { position, face: block.face, sd, station: [(*number, 1.0)] });
                     }
@@ -84,6 +93,22 @@ impl SurfacePoints {
             }
         }
         Ok(out)
+    }
+
+    /// Radius of the round parts of the drawn surface, metres: the slope of places on normals. `None` where it has none.
+    pub(super) fn mantle_radius(&self) -> Option<f64> {
+        let mut facets = BTreeMap::new();
+        self.surface_of_face.iter().for_each(|s| *facets.entry(*s).or_insert(0) += 1);
+        let place = |d: &Drawn| (Vec3::from(*d.geom()), self.normals[d.data as usize]);
+        let (mut along, mut turn) = (0.0, 0.0);
+        for surface in facets.into_iter().filter(|(_, n)| *n >= MIN_FACETS).map(|(s, _)| s) {
+            let of = || self.drawn.iter().filter(move |d| self.surface_of_face[d.data as usize] == surface).map(place);
+            let n = of().count().max(1) as f64;
+            let (p, normal) = of().fold((Vec3::zeros(), Vec3::zeros()), |(p, q), (a, b)| (p + a / n, q + b / n));
+            of().for_each(|(a, b)| along += (a - p).dot(&(b - normal)));
+            of().for_each(|(_, b)| turn += (b - normal).norm_squared());
+        }
+        (turn > 0.0).then_some(along / turn).filter(|r| *r > 0.0)
     }
 
     /// Point-to-plane closest points (Chen & Medioni 1992), translation only, one vote a face: each point weighs

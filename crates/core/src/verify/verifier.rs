@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::claims::Claims;
 use super::collect::Collector;
 use super::evidence::Evidence;
 use super::model::EvidenceModel;
@@ -54,8 +55,9 @@ impl Verifier {
         Ok(Self { collectors, threads })
     }
 
-    /// Adds what a batch of packed patches says; all are unpacked at once. Objects know each other here: a beam that
-    /// met one of them where it is drawn does not displace another one's face behind it (cladding, a wall's end). The
+    /// Adds what a batch of packed patches says; all are unpacked at once. Objects know each other here: what a beam
+    /// met is that object's to whose drawn surface it lies nearest, and does not displace another one behind it
+    /// (cladding, a wall's end). The
     /// evidence is the same to the last bit whatever the batches and threads: it is made of integer sums, and each
     /// object adds up its own.
     pub fn absorb<P: AsRef<[u8]> + Sync>(&mut self, patches: &[P], interrupt: Interrupt) -> Result<()> {
@@ -68,17 +70,20 @@ impl Verifier {
             unpacked.iter().map(|patch| collector.aim(patch, interrupt)).collect::<Result<_>>()
         })?;
         let numbers: Vec<usize> = (0..unpacked.len()).collect();
-        let explained = self.threads.map(&numbers, |&i| {
-            let mut explained = vec![false; unpacked[i].aimed_beams()];
-            for (collector, aims) in self.collectors.iter().zip(&aims) {
-                collector.explain(&unpacked[i], &aims[i], &mut explained);
+        let claims = self.threads.map(&numbers, |&i| {
+            let mut claims = Claims::none(unpacked[i].aimed_beams());
+            for (object, (collector, aims)) in self.collectors.iter().zip(&aims).enumerate() {
+                collector.claim(&unpacked[i], &aims[i], object as u32, &mut claims);
             }
-            Ok(explained)
+            Ok(claims)
         })?;
-        let mut work: Vec<(&mut Collector, &Vec<Aim>)> = self.collectors.iter_mut().zip(&aims).collect();
-        self.threads.for_each(&mut work, |(collector, aims)| {
-            let mut patches = unpacked.iter().zip(aims.iter()).zip(&explained);
-            patches.try_for_each(|((patch, aim), x)| collector.absorb_aimed(patch, aim, Some(x), interrupt))
+        let mut work: Vec<_> = self.collectors.iter_mut().zip(&aims).enumerate().collect();
+        self.threads.for_each(&mut work, |(object, (collector, aims))| {
+            let mut patches = unpacked.iter().zip(aims.iter()).zip(&claims);
+            patches.try_for_each(|((patch, aim), claims)| {
+                let others = |slot| f64::from(claims.of_others(slot, *object as u32));
+                collector.absorb_aimed(patch, aim, Some(&others), interrupt)
+            })
         })
     }
 
