@@ -81,6 +81,39 @@ fn a_drawn_cladding_does_not_displace_the_wall_behind_it() {
     assert_eq!(verdict(&both[1]), Verdict::Deviating);
 }
 
+/// No beam aimed at a pole meets it where it is displaced by more than it is thick; those beside it do.
+#[test]
+fn a_slim_pole_beside_its_place_is_not_absent() {
+    let model = EvidenceModel::default();
+    let wall = Solid::cuboid([6.0, -2.0, -2.0], [6.2, 2.0, 2.0]).unwrap();
+    // Along (1, y, z), the nearer root of |(t, ty) - (4, cy)| = r.
+    let with_pole = |cy: f64, r: f64| {
+        patches(
+            1,
+            Vec3::zeros(),
+            move |i| {
+                let y = (i % 128) as f64 * STEP - 0.256;
+                let (a, b, c) = (1.0 + y * y, -2.0 * (4.0 + y * cy), 16.0 + cy * cy - r * r);
+                let discriminant = b * b - 4.0 * a * c;
+                if discriminant < 0.0 { 6.0 } else { (-b - discriminant.sqrt()) / (2.0 * a) }
+            },
+            None,
+        )
+    };
+    for radius in [0.02, 0.03, 0.04] {
+        let pole = Solid::cylinder([4.0, 0.0, -1.0], radius, 2.0, 24).unwrap();
+        let verdict = |seen: &[Vec<u8>]| {
+            let both = together(&[(wall.clone(), model), (pole.clone(), model)], seen, Threads::Own, 4);
+            both[1].verdict(&model, &VerdictRule::default(), NEVER).unwrap()
+        };
+        assert_eq!(verdict(&with_pole(0.0, radius)), Verdict::Confirmed, "{radius}");
+        for off in [0.03, 0.045, 0.06] {
+            assert_eq!(verdict(&with_pole(off, radius)), Verdict::Deviating, "{radius} {off}");
+        }
+        assert_eq!(verdict(&patches(1, Vec3::zeros(), |_| 6.0, None)), Verdict::Absent, "{radius}");
+    }
+}
+
 /// What nobody drew stands in front of a face; the face is behind it, however little of it is left to see.
 #[test]
 fn a_cupboard_does_not_displace_the_wall_that_it_hides() {

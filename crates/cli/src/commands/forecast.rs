@@ -104,6 +104,9 @@ fn model(args: &ForecastArgs) -> Result<EvidenceModel> {
     if !(0.1..=1000.0).contains(&args.grid) {
         bail!("--grid {} must be between 0.1 and 1000 m", args.grid);
     }
+    if let Some(height) = args.height.filter(|h| !(-1000.0..=1000.0).contains(h)) {
+        bail!("--height {height} must be between -1000 and 1000 m");
+    }
     let preset = SensorPreset::named(&args.sensor)?;
     let mut model = EvidenceModel::default();
     model.set("spacing", args.spacing)?;

@@ -2,13 +2,14 @@
 
 use anyhow::Result;
 use asbuilt_core::evidence::{Loa, SensorPreset};
+use postgres::IsolationLevel;
 use postgres::types::ToSql;
 use serde_json::Value;
 
 use super::load::parse_loa;
 use crate::database::connect::{DatabaseArgs, explain};
 use crate::database::tables;
-use crate::output::{Format, Table, rounded, spinner};
+use crate::output::{Format, Table, rounded, say, spinner};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -66,7 +67,7 @@ ORDER  BY o.id";
 /// Objects that are verified together: neighbours know each other, and their evidence is in memory together.
 const BATCHES: &str = "
 SELECT array_agg(id ORDER BY id) FROM (
-  SELECT id, floor(sum(coalesce(ab_area(solid), 0)) OVER (ORDER BY id) / ($1::float8 * $1 * 20e6)) AS batch FROM building_object) x
+  SELECT id, floor(sum(least(coalesce(ab_area(solid), 0) / ($1::float8 * $1), 5e6)) OVER (ORDER BY id) / 20e6) AS batch FROM building_object) x
 GROUP BY batch ORDER BY batch";
 
 pub fn run(args: &VerifyArgs) -> Result<()> {
@@ -81,7 +82,20 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     let sigma_angle = preset.map(|p| p.sigma_angle);
     let bar = spinner("verifying");
     let mut rows = Vec::new();
-    for batch in client.query(BATCHES, &[&args.spacing]).map_err(explain)? {
+    // All batches see the same data.
+    let one_view = client.build_transaction().read_only(true).isolation_level(IsolationLevel::RepeatableRead);
+    let mut client = one_view.start().map_err(explain)?;
+    let batches = client.query(BATCHES, &[&args.spacing]).map_err(explain)?;
+    if batches.len() > 1 {
+        bar.suspend(|| {
+            say!(
+                "asbuilt: {} batches of some 20 million samples; objects of different batches do not know each other as \
+                neighbours (a wider --spacing makes fewer)",
+                batches.len()
+            );
+        });
+    }
+    for batch in batches {
         let ids: Vec<i64> = batch.get(0);
         let parameters: [&(dyn ToSql + Sync); 9] = [
             &args.epoch,

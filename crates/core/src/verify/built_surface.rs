@@ -58,6 +58,8 @@ pub struct Built {
     pub whole: BuiltSurface,
     /// Displaced by its own thickness, no beam aimed at the object meets it.
     pub is_slim: bool,
+    /// Samples in front of which something stands that is not the object's own surface.
+    pub before: u64,
     /// For each face where it is; its samples are not counted yet.
     pub(super) located: Vec<FaceReport>,
 }
@@ -90,8 +92,12 @@ impl Built {
         }
         let coherent = surfaces.iter().any(|s| s.coherent);
         let whole = BuiltSurface::of(coherent, &observations.seen, &own, &all, model, interrupt)?;
+        let before =
+            |(s, own): (&Seen, &f32)| own.is_nan() && observations.surface_body(s).is_some_and(|b| b.deviation > 0.0);
+        let before =
+            observations.seen.iter().zip(&own).filter(|x| before(*x)).count() as u64 + observations.before_unseen;
         let is_slim = e.samples.is_slim();
-        let mut built = Self { observations, own, surfaces, whole, is_slim, located: Vec::new() };
+        let mut built = Self { observations, own, surfaces, whole, is_slim, before, located: Vec::new() };
         built.locate(e, model, interrupt)?;
         Ok(built)
     }

@@ -202,9 +202,7 @@ impl Judgement {
     }
 
     fn is_beside(&self, built: &Built) -> bool {
-        let Totals { seen, own, pierced, .. } = self.totals;
-        let beside = built.observations.beside + seen.saturating_sub(own + pierced);
-        built.is_slim && self.is_empty() && beside as f64 >= MIN_BESIDE * pierced as f64
+        built.is_slim && self.is_empty() && built.before as f64 >= MIN_BESIDE * self.totals.pierced as f64
     }
 
     /// Whether most of what is decided was seen empty, and little of the object.

@@ -41,8 +41,8 @@ pub struct Observations {
     /// For each face its run in `seen`.
     pub faces: Vec<std::ops::Range<usize>>,
     pub heard: Vec<Heard>,
-    /// Samples off which something was met by too few beams, or too unevenly, to call them seen.
-    pub beside: u64,
+    /// Samples in front of which something was met by too few beams, or too unevenly, to call them seen.
+    pub before_unseen: u64,
     bodies: Vec<Body>,
     rays: Vec<LogCommonality>,
 }
@@ -69,7 +69,7 @@ impl Observations {
                 if reading.seen {
                     out.push(e.samples.positions[at], block.face, &reading, model);
                 } else {
-                    out.beside += u64::from(Body::that_met(&reading.bodies).is_some());
+                    out.before_unseen += u64::from(Body::that_met(&reading.bodies).is_some_and(|b| b.deviation > 0.0));
                 }
             }
         }

@@ -85,10 +85,9 @@ impl Shift {
         }
         let t = solution.vector;
         let roundness = points.mantle_radius().filter(|_| curved).map_or(0.0, |r| OF_ROUND * t.norm_squared() / r);
-        let second_order = if curved { roundness } else { model.second_order_sd(t.norm()) }.powi(2);
         let covariance = solution.random
             + solution.stations * model.sigma_station.powi(2)
-            + projector * (model.sigma_model.powi(2) + model.least_variance() + second_order);
+            + projector * (model.sigma_model.powi(2) + model.least_variance() + roundness * roundness);
         Some(Self { vector: t, covariance, undetermined: undetermined.iter().map(column).collect() })
     }
 
