@@ -1,13 +1,11 @@
 //! Adding patches to the evidence about one solid.
 
-use nalgebra::Matrix3;
-
 use super::claims::Claims;
 use super::crossing::Crossing;
 use super::encounter::{self, Encounters, Seen};
 use super::evidence::{Evidence, Place};
 use super::model::{EvidenceModel, ModelKind};
-use super::point_index::{LocalPoint, PointIndex};
+use super::point_index::PointIndex;
 use super::sample::{BLOCK, Block, Samples};
 use super::sums::Sums;
 use super::surface_sums::KERNEL_SPACINGS;
@@ -15,22 +13,18 @@ use super::target::Target;
 use super::unpacked::{Aim, Beams, Unpacked};
 use super::{ray_sums, surface_sums};
 use crate::geometry::{Solid, Vec3};
-use crate::scan::{Beam, Header, Origins, Patch, View};
-use crate::uncertain::Point;
+use crate::scan::{Header, Origins, View};
 use crate::{Interrupt, Result, poll};
-
-/// The station number of tie points; their cameras tell themselves apart by their places.
-const TIE_POINTS: i64 = 0;
 
 /// Evidence in the making: the value, and the solid made ready for beams.
 #[derive(Debug)]
 pub struct Collector {
-    evidence: Evidence,
+    pub(super) evidence: Evidence,
     target: Target,
     /// Ball (local centre, radius) around each block of samples.
     balls: Vec<(Vec3, f64)>,
     /// Made when the first point without a beam comes.
-    point_index: Option<PointIndex>,
+    pub(super) point_index: Option<PointIndex>,
     /// Displaced by its own thickness, no beam aimed at it meets it.
     is_slim: bool,
 }
@@ -151,138 +145,8 @@ impl Collector {
         }
     }
 
-    fn absorb_cloud(&mut self, header: &Header, returns: &[Vec3], interrupt: Interrupt) -> Result<()> {
-        let shift = header.origin - self.evidence.samples.reference;
-        let spacing = f64::from(header.step).max(1e-4);
-        let point = |p: &Vec3| LocalPoint { position: p + shift, covariance: Matrix3::zeros(), spacing };
-        let points: Vec<LocalPoint> = returns.iter().map(point).collect();
-        self.absorb_points(&points, header.station, interrupt)
-    }
-
-    /// Adds what an uncertain point (a tie point) says that cameras saw: a surface at its place, once, however many
-    /// cameras there were, and empty space along their rays, one weight shared out among them.
-    pub fn absorb_tie_point(&mut self, point: &Point, cameras: &[Vec3], interrupt: Interrupt) -> Result<()> {
-        let spacing = self.evidence.model.spacing;
-        let position = point.position - self.evidence.samples.reference;
-        let local = LocalPoint { position, covariance: point.covariance, spacing };
-        if self.evidence.model.kind == ModelKind::Surface || cameras.is_empty() {
-            self.absorb_points(&[local], TIE_POINTS, interrupt)?;
-        }
-        let share = 1.0 / cameras.len().max(1) as f32;
-        for camera in cameras {
-            let beam = Beam { offset: point.position - camera, returned: true };
-            let step = (spacing / beam.offset.norm().max(spacing)).max(1e-7);
-            let patch = Patch::encode(TIE_POINTS, *camera, step, Patch::QUANTUM_M, &[beam])?;
-            if self.concerns(patch.header()) {
-                let view = View::new(patch.header().clone(), &[beam]);
-                // Only what a ray pierced: its end speaks for itself.
-                let pierced = |seen| match seen {
-                    Seen::Through(weight) => Some(Seen::Through(weight * share)),
-                    Seen::Surface(..) => None,
-                };
-                self.absorb_view(&view, Place::At(*camera), pierced, interrupt)?;
-            }
-        }
-        Ok(())
-    }
-
-    fn absorb_points(&mut self, points: &[LocalPoint], id: i64, interrupt: Interrupt) -> Result<()> {
-        let Self { evidence, point_index, .. } = self;
-        let index = match point_index {
-            Some(index) => index,
-            None => point_index.insert(PointIndex::of(&evidence.samples, interrupt)?),
-        };
-        let model = evidence.model;
-        let rays = model.ray_model();
-        let station = evidence.station_index(id, Place::Unknown);
-        let Evidence { samples, stations, .. } = evidence;
-        let blocks = &mut stations[station].blocks;
-        for (i, point) in points.iter().enumerate() {
-            if i % 64 == 0 {
-                poll(interrupt)?;
-            }
-            index.gather(samples, point, (model.band_in_front(), model.band_behind()), |touch| {
-                let block = samples.blocks[touch.block as usize];
-                let sums =
-                    blocks.entry(touch.block).or_insert_with(|| vec![Sums::default(); block.len as usize].into());
-                let sums = &mut sums[touch.k];
-                match model.kind {
-                    ModelKind::Surface => {
-                        surface_sums::add_point(touch.weight, touch.deviation, touch.variance, sums);
-                    }
-                    ModelKind::Meyer2022 => {
-                        let query = samples.local(block.start as usize + touch.k);
-                        let normal = &samples.normals[block.face as usize];
-                        let mass = rays.dense_point_mass(&point.position, normal, &query);
-                        ray_sums::add_mass(&mass.discounted(model.reliability), sums);
-                    }
-                }
-            });
-        }
-        if blocks.is_empty() {
-            stations.remove(station);
-        }
-        self.evidence.check_size()
-    }
-
-    /// Adds the returns beside a slim solid that no other object explains: each speaks for the face nearest to it.
-    fn absorb_beside(
-        &mut self,
-        view: &View,
-        crossings: &[Crossing],
-        others: &dyn Fn(usize) -> f64,
-        interrupt: Interrupt,
-    ) -> Result<()> {
-        let Self { evidence, point_index, .. } = self;
-        let index = match point_index {
-            Some(index) => index,
-            None => point_index.insert(PointIndex::of(&evidence.samples, interrupt)?),
-        };
-        let model = evidence.model;
-        let (header, band) = (&view.header, (model.band_in_front(), model.band_in_front()));
-        let around = evidence.bounds.expanded(band.0);
-        let station = evidence.station_index(header.station, Place::At(header.origin));
-        let Evidence { samples, stations, .. } = evidence;
-        let scanner = header.origin - samples.reference;
-        let mut crossing = crossings.iter().map(|c| c.slot as usize).peekable();
-        for slot in 0..view.len() {
-            if slot % 1024 == 0 {
-                poll(interrupt)?;
-            }
-            if crossing.next_if_eq(&slot).is_some() || view.ranges[slot].is_infinite() {
-                continue;
-            }
-            let met = view.directions[slot] * view.ranges[slot] + header.origin;
-            if !around.has(&met) {
-                continue;
-            }
-            let spacing = f64::from(header.step) * view.ranges[slot];
-            let position = met - samples.reference;
-            let point = LocalPoint { position, covariance: Matrix3::zeros(), spacing };
-            let station = &mut stations[station];
-            index.gather(samples, &point, band, |touch| {
-                if encounter::may_be_anothers(touch.deviation.abs(), others(slot), &model) {
-                    return;
-                }
-                let block = samples.blocks[touch.block as usize];
-                let sums = station
-                    .blocks
-                    .entry(touch.block)
-                    .or_insert_with(|| vec![Sums::default(); block.len as usize].into());
-                // Sums count towards the scanner.
-                let sight = samples.local(block.start as usize + touch.k) - scanner;
-                let away = sight.dot(&samples.normals[block.face as usize]) > 0.0;
-                let deviation = if away { -touch.deviation } else { touch.deviation };
-                surface_sums::add_point(touch.weight, deviation, touch.variance, &mut sums[touch.k]);
-            });
-            station.step = station.step.max(header.step);
-        }
-        stations.retain(|s| !s.blocks.is_empty());
-        self.evidence.check_size()
-    }
-
     /// `adjust` may take back some of what the beams saw.
-    fn absorb_view(
+    pub(super) fn absorb_view(
         &mut self,
         view: &View,
         place: Place,

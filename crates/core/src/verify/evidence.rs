@@ -80,6 +80,11 @@ impl Station {
         Ok(())
     }
 
+    /// The sums of a block of `len` samples, zeros if it has none yet.
+    pub(super) fn block(&mut self, block: u32, len: u32) -> &mut [Sums] {
+        self.blocks.entry(block).or_insert_with(|| vec![Sums::default(); len as usize].into())
+    }
+
     /// Adds the sums of a block of samples.
     pub(super) fn add_block(&mut self, block: u32, theirs: &[Sums]) {
         match self.blocks.get_mut(&block) {

@@ -10,6 +10,7 @@ mod belief;
 mod built_surface;
 mod claims;
 mod collect;
+mod collect_points;
 mod consensus;
 mod crossing;
 mod encounter;
