@@ -20,6 +20,8 @@ pub struct Scanner {
     pub sigma_range: f64,
     /// … that grows by this much per metre.
     pub sigma_range_per_m: f64,
+    /// Standard deviation of the range's zero point, metres: one error for all beams of a scan.
+    pub sigma_zero: f64,
     /// Standard deviation of each of the two angles, radians.
     pub sigma_angle: f64,
     /// Standard deviation of the position it is registered at, metres per axis.
@@ -80,12 +82,13 @@ impl Scanner {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let heading = rng.random_range(0.0..TAU);
         let registered = station + Vec3::from_fn(|_, _| self.normal(self.sigma_registration, &mut rng));
+        let zero = self.normal(self.sigma_zero, &mut rng);
         let shots = (0..columns)
             .into_par_iter()
             .flat_map_iter(|column| {
                 let mut rng = ChaCha8Rng::seed_from_u64(seed);
                 rng.set_stream(u64::from(column) + 1);
-                self.column(scene, station, heading, column, rows, &mut rng)
+                self.column(scene, station, (heading, zero), column, rows, &mut rng)
             })
             .collect();
         SimulatedScan { shots, rows, columns, heading, registered }
@@ -95,7 +98,7 @@ impl Scanner {
         &self,
         scene: &Scene,
         station: &Vec3,
-        heading: f64,
+        (heading, zero): (f64, f64),
         column: u32,
         rows: u32,
         rng: &mut ChaCha8Rng,
@@ -110,7 +113,9 @@ impl Scanner {
                     elevation + self.normal(self.sigma_angle, rng),
                 );
                 match range.filter(|r| *r <= self.max_range) {
-                    Some(r) => Shot { row, column, point: measured * self.measured_range(r, rng), returned: true },
+                    Some(r) => {
+                        Shot { row, column, point: measured * self.measured_range(r + zero, rng), returned: true }
+                    }
                     None => Shot { row, column, point: measured, returned: false },
                 }
             })
@@ -143,6 +148,7 @@ mod tests {
             step: 0.01,
             sigma_range: 0.002,
             sigma_range_per_m: 0.0,
+            sigma_zero: 0.0,
             sigma_angle: 0.0,
             sigma_registration: 0.0,
             mixed_pixels: 0.0,

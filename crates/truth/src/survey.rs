@@ -27,6 +27,8 @@ const SIGMA_RANGES_MM: [f64; 6] = [1.0, 0.5, 2.0, 3.0, 1.5, 5.0];
 const REGISTRATIONS_MM: [f64; 5] = [1.0, 0.0, 0.5, 2.0, 3.0];
 const MIXED: [f64; 4] = [0.002, 0.0, 0.01, 0.002];
 const MAX_INCIDENCES_DEG: [f64; 11] = [80.0, 85.0, 80.0, 80.0, 85.0, 80.0, 85.0, 80.0, 80.0, 80.0, 85.0];
+/// Zero point of a good scanner's range, metres.
+const SIGMA_ZERO: f64 = 1e-4;
 /// Angle error of a terrestrial scanner, radians: 8 arc seconds.
 const SIGMA_ANGLE: f64 = 4e-5;
 
@@ -38,6 +40,7 @@ impl Survey {
             step: step_mrad * 1e-3,
             sigma_range: SIGMA_RANGES_MM[i % SIGMA_RANGES_MM.len()] * 1e-3,
             sigma_range_per_m: 1e-5,
+            sigma_zero: SIGMA_ZERO,
             sigma_angle: SIGMA_ANGLE,
             sigma_registration: REGISTRATIONS_MM[i % REGISTRATIONS_MM.len()] * 1e-3,
             mixed_pixels: MIXED[i % MIXED.len()],

@@ -144,6 +144,7 @@ fn scanner(args: &SimulateArgs) -> Result<Scanner> {
         step: args.step_mrad * 1e-3,
         sigma_range: args.sigma_range,
         sigma_range_per_m: 1e-5,
+        sigma_zero: 0.0,
         sigma_angle: args.sigma_angle,
         sigma_registration: args.sigma_registration,
         mixed_pixels: args.mixed_pixels,
