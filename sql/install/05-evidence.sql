@@ -111,6 +111,11 @@ CREATE FUNCTION ab_verify_table(
     AS 'MODULE_PATHNAME', 'ab_verify_table' LANGUAGE c STABLE PARALLEL RESTRICTED COST 100000000 ROWS 1000;
 COMMENT ON FUNCTION ab_verify_table(text, text, ab_evidence_model, boolean, float8, float8, float8) IS 'Evidence and verdict of every object of one query (id, solid, perhaps its own ab_evidence_model) from the patches of another; every patch is unpacked once for all objects. Uses as many threads as a parallel plan would have processes (max_parallel_workers_per_gather + 1)';
 
+CREATE FUNCTION ab_stations(
+    e ab_evidence, OUT station bigint, OUT origin float8[], OUT seen bigint, OUT added bigint) RETURNS SETOF record
+    AS 'MODULE_PATHNAME', 'ab_stations' LANGUAGE c STABLE PARALLEL SAFE COST 10000000 ROWS 5;
+COMMENT ON FUNCTION ab_stations(ab_evidence) IS 'What each station contributed: the samples that it sees by itself, and those that would be unseen without it; origin NULL for moving platforms and points without origin';
+
 CREATE FUNCTION ab_explain(
     e ab_evidence, loa ab_loa DEFAULT NULL, confidence float8 DEFAULT NULL,
     min_confirmed float8 DEFAULT NULL, min_coverage float8 DEFAULT NULL, max_conflict float8 DEFAULT NULL) RETURNS text

@@ -1,7 +1,7 @@
-//! `ab_samples(e)`, `ab_faces(e)`: what is believed where.
+//! `ab_samples(e)`, `ab_faces(e)`, `ab_stations(e)`: what is believed where, and who saw it.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::verify::Evidence;
+use asbuilt_core::verify::{Evidence, Place};
 
 use super::mass_bytes;
 use super::summary::question;
@@ -51,6 +51,19 @@ sql_functions! {
                 Field::or_null(f.deviation, |d| Field::F64(d.0)),
                 Field::or_null(f.deviation, |d| Field::F64(d.1)),
             ]);
+        }
+        Ok(Ret::Null)
+    }
+
+    fn ab_stations(args) {
+        let mut rows = Rows::new(args)?;
+        if args.is_null(0) {
+            return Ok(Ret::Null);
+        }
+        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
+        for c in e.contributions(&interrupt)? {
+            let origin = if let Place::At(origin) = &c.place { vector(origin) } else { Field::Null };
+            rows.push(&[Field::I64(c.station), origin, Field::I64(c.seen as i64), Field::I64(c.added as i64)]);
         }
         Ok(Ret::Null)
     }

@@ -47,6 +47,9 @@ SELECT ab_rollup(a.e, b.e)::text = c.e::text AS as_if_at_once,
 FROM ab_verify_table('SELECT 1, solid FROM object WHERE id = 1', 'SELECT patch FROM scan WHERE ab_station(patch) = 1') a,
      ab_verify_table('SELECT 1, solid FROM object WHERE id = 1', 'SELECT patch FROM scan WHERE ab_station(patch) = 2') b,
      ab_verify_table('SELECT 1, solid FROM object WHERE id = 1', 'TABLE scan') c;
+-- What each contributed: all that the second sees, the first saw, too.
+SELECT s.* FROM ab_verify_table('SELECT 1, solid FROM object WHERE id = 1', 'TABLE scan') c, ab_stations(c.e) s;
+SELECT count(*) FROM ab_stations(NULL);
 
 -- What else may be given is refused, and says what was found.
 SELECT * FROM ab_verify_table('SELECT id FROM object', 'TABLE scan');

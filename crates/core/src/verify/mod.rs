@@ -12,6 +12,7 @@ mod claims;
 mod collect;
 mod collect_points;
 mod consensus;
+mod contribution;
 mod crossing;
 mod encounter;
 mod evidence;
@@ -39,6 +40,7 @@ mod verifier;
 
 pub use belief::SampleBelief;
 pub use collect::Collector;
+pub use contribution::Contribution;
 pub use evidence::{Evidence, EvidenceHeader, Place, Station};
 pub use face::FaceReport;
 pub use forecast::PlannedStation;
