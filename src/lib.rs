@@ -25,6 +25,7 @@ pgrx::pg_module_magic!(name, version);
 /// Called by PostgreSQL when the library is loaded.
 #[pgrx::pg_guard]
 pub extern "C-unwind" fn _PG_init() {
+    pg::capture_no_backtraces();
     settings::declare();
 }
 
@@ -43,4 +44,5 @@ pgrx::extension_sql_file!("../sql/install/12-patches.sql", name = "patches", req
 pgrx::extension_sql_file!("../sql/install/13-nearness.sql", name = "nearness", requires = ["patches"]);
 pgrx::extension_sql_file!("../sql/install/14-exchange.sql", name = "exchange", requires = ["nearness"]);
 pgrx::extension_sql_file!("../sql/install/15-voxels.sql", name = "voxels", requires = ["exchange"]);
-pgrx::extension_sql_file!("../sql/install/16-voxel-index.sql", name = "voxel_index", requires = ["voxels"], finalize);
+pgrx::extension_sql_file!("../sql/install/16-voxel-index.sql", name = "voxel_index", requires = ["voxels"]);
+pgrx::extension_sql_file!("../sql/install/17-order.sql", name = "order", requires = ["voxel_index"], finalize);

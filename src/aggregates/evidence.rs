@@ -5,7 +5,7 @@ use asbuilt_core::scan::Header;
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{AggState, Args, Ret, aggregate_state, deserialised_state, interrupt, sql_functions};
+use crate::pg::{Account, AggState, Args, Backend, Ret, aggregate_state, deserialised_state, sql_functions};
 use crate::types::model_arg;
 use crate::types::uncertain::value;
 
@@ -41,12 +41,12 @@ impl State {
         match self {
             Self::Empty => {
                 let mut copy = other.without_stations();
-                copy.merge(other, &interrupt)?;
+                copy.merge(other, &Backend)?;
                 *self = Self::Merged(Box::new(copy));
                 Ok(())
             }
-            Self::Collecting(c) => c.collector.merge(other, &interrupt),
-            Self::Merged(e) => e.merge(other, &interrupt),
+            Self::Collecting(c) => c.collector.merge(other, &Backend),
+            Self::Merged(e) => e.merge(other, &Backend),
         }
     }
 
@@ -54,8 +54,8 @@ impl State {
     fn collecting(&mut self, args: &Args, m: usize) -> Result<&mut Collector> {
         let model = model_arg(args, m)?;
         if matches!(self, Self::Empty) {
-            let solid = Solid::from_stored(args.bytes(1), &interrupt)?;
-            let collector = Collector::new(&solid, model, &interrupt)?;
+            let solid = Solid::from_stored(args.bytes(1), &Backend)?;
+            let collector = Collector::new(&solid, model, &Backend)?;
             *self = Self::Collecting(Box::new(Collecting { collector, raw_solid: args.raw(1).to_vec(), model }));
         }
         match self {
@@ -73,7 +73,7 @@ impl State {
 
 /// Unequal bytes may still be the same solid, stored differently.
 fn same_solid(collector: &Collector, args: &Args) -> Result<bool> {
-    Ok(collector.evidence().fingerprint() == Solid::from_stored(args.bytes(1), &interrupt)?.fingerprint(&interrupt)?)
+    Ok(collector.evidence().fingerprint() == Solid::from_stored(args.bytes(1), &Backend)?.fingerprint(&Backend)?)
 }
 
 fn state(args: &Args, i: usize) -> Result<AggState<State>> {
@@ -81,13 +81,15 @@ fn state(args: &Args, i: usize) -> Result<AggState<State>> {
 }
 
 sql_functions! {
+    on Account::Evidence;
+
     /// transition(state, solid, patch, model): a NULL patch adds nothing, but the object is there.
     fn ab_evidence_accum(args) {
         let mut state = state(args, 0)?;
         if !args.is_null(1) {
             let collector = state.get().collecting(args, 3)?;
             if !args.is_null(2) && collector.concerns(&Header::read(args.prefix(2, Header::LEN))?) {
-                collector.absorb(args.bytes(2), &interrupt)?;
+                collector.absorb(args.bytes(2), &Backend)?;
             }
         }
         Ok(state.ret())
@@ -104,7 +106,7 @@ sql_functions! {
                     return Err(Error::argument("a camera's coordinate", "finite", c));
                 }
                 let cameras: Vec<Vec3> = cameras.into_iter().map(Vec3::from).collect();
-                collector.absorb_tie_point(&value(args, 2), &cameras, &interrupt)?;
+                collector.absorb_tie_point(&value(args, 2), &cameras, &Backend)?;
             }
         }
         Ok(state.ret())
@@ -122,14 +124,14 @@ sql_functions! {
 
     fn ab_evidence_serial(args) {
         let mut state = state(args, 0)?;
-        let bytes = state.get().evidence().map(|e| e.to_bytes(&interrupt)).transpose()?;
+        let bytes = state.get().evidence().map(|e| e.to_bytes(&Backend)).transpose()?;
         Ok(Ret::Bytes(bytes.unwrap_or_default()))
     }
 
     fn ab_evidence_deserial(args) {
         let state = match args.bytes(0) {
             [] => State::Empty,
-            bytes => State::Merged(Box::new(Evidence::from_bytes(bytes, &interrupt)?)),
+            bytes => State::Merged(Box::new(Evidence::from_bytes(bytes, &Backend)?)),
         };
         Ok(deserialised_state(state).ret())
     }
@@ -138,7 +140,7 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let bytes = state(args, 0)?.get().evidence().map(|e| e.to_bytes(&interrupt)).transpose()?;
+        let bytes = state(args, 0)?.get().evidence().map(|e| e.to_bytes(&Backend)).transpose()?;
         Ok(bytes.map_or(Ret::Null, Ret::Bytes))
     }
 
@@ -146,7 +148,7 @@ sql_functions! {
     fn ab_rollup_accum(args) {
         let mut state = state(args, 0)?;
         if !args.is_null(1) {
-            state.get().merge(&Evidence::from_bytes(args.bytes(1), &interrupt)?)?;
+            state.get().merge(&Evidence::from_bytes(args.bytes(1), &Backend)?)?;
         }
         Ok(state.ret())
     }

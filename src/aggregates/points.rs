@@ -3,7 +3,7 @@
 use asbuilt_core::uncertain::{Point, Stored, fit};
 use asbuilt_core::{Error, Interrupt, Result};
 
-use crate::pg::{AggState, Args, Ret, aggregate_state, deserialised_state, interrupt, sql_functions};
+use crate::pg::{AggState, Args, Backend, Ret, aggregate_state, deserialised_state, sql_functions};
 use crate::types::uncertain::{ret, value};
 
 /// Points one fit takes: they are in memory, 96 bytes each.
@@ -30,7 +30,7 @@ fn fitted<T: Stored<N> + Copy, const N: usize>(args: &Args, fit: fn(&[Point], In
     }
     let mut state = state(args, 0)?;
     let points = state.get();
-    if points.is_empty() { Ok(Ret::Null) } else { ret(&fit(points, &interrupt)?) }
+    if points.is_empty() { Ok(Ret::Null) } else { ret(&fit(points, &Backend)?) }
 }
 
 sql_functions! {

@@ -4,7 +4,7 @@ use asbuilt_core::Result;
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::{Gathered, Return};
 
-use crate::pg::{AggState, Args, Ret, aggregate_state, deserialised_state, interrupt, sql_functions};
+use crate::pg::{AggState, Args, Backend, Ret, aggregate_state, deserialised_state, sql_functions};
 use crate::types::planes::{one_colour, one_intensity};
 
 fn state(args: &Args, i: usize) -> Result<AggState<Gathered>> {
@@ -55,7 +55,7 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let patches = state(args, 0)?.get().patches(&interrupt)?;
+        let patches = state(args, 0)?.get().patches(&Backend)?;
         Ok(Ret::VarlenaArray(patches.iter().map(|p| p.to_bytes()).collect()))
     }
 }

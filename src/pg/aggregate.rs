@@ -3,18 +3,42 @@
 use asbuilt_core::{Error, Result};
 use pgrx::{PgMemoryContexts, pg_sys};
 
+use super::memory::Account;
 use super::{Args, Ret};
 
 /// A state that lives in the aggregate's memory context and is dropped with it.
 #[derive(Debug)]
 pub struct AggState<T> {
-    pointer: *mut T,
+    pointer: *mut Kept<T>,
+}
+
+/// PostgreSQL drops a state at its own time; what it gives back is its account's.
+#[derive(Debug)]
+struct Kept<T> {
+    account: Account,
+    /// `None` once dropped.
+    state: Option<T>,
+}
+
+impl<T> Kept<T> {
+    /// A new state, on the account that is open.
+    fn new(state: T) -> Self {
+        Self { account: Account::current(), state: Some(state) }
+    }
+}
+
+impl<T> Drop for Kept<T> {
+    fn drop(&mut self) {
+        let _opened = self.account.open();
+        self.state = None;
+    }
 }
 
 impl<T> AggState<T> {
     /// The state.
     pub fn get(&mut self) -> &mut T {
-        unsafe { &mut *self.pointer }
+        let kept = unsafe { &mut *self.pointer };
+        kept.state.as_mut().expect("a state that PostgreSQL has dropped is not asked for")
     }
 
     /// Hands the state back to the executor.
@@ -34,11 +58,11 @@ pub fn aggregate_state<T>(args: &Args, i: usize, fresh: impl FnOnce() -> Result<
             return Ok(AggState { pointer: args.datum(i).cast_mut_ptr() });
         }
         let state = fresh()?;
-        Ok(AggState { pointer: PgMemoryContexts::For(context).leak_and_drop_on_delete(state) })
+        Ok(AggState { pointer: PgMemoryContexts::For(context).leak_and_drop_on_delete(Kept::new(state)) })
     }
 }
 
 /// A state read back from its serialised form, in the current memory context.
 pub fn deserialised_state<T>(state: T) -> AggState<T> {
-    AggState { pointer: PgMemoryContexts::CurrentMemoryContext.leak_and_drop_on_delete(state) }
+    AggState { pointer: PgMemoryContexts::CurrentMemoryContext.leak_and_drop_on_delete(Kept::new(state)) }
 }

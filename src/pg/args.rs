@@ -119,9 +119,10 @@ impl Args {
         unsafe { pgrx::varlena::varlena_to_byte_slice(toast::fetch(self.varlena(i))) }
     }
 
-    /// A variable-length value handed on, fetched if need be: to send, or to return an argument as it came.
-    pub fn fetched(&self, i: usize) -> Ret {
-        Ret::Raw(unsafe { toast::fetch(self.varlena(i)) }.into())
+    /// A variable-length value handed on: to send, or to return an argument as it came. Always a copy: PostgreSQL's
+    /// `array_send` frees what a send function returns, were it an element of the array.
+    pub fn copied(&self, i: usize) -> Ret {
+        Ret::Raw(unsafe { toast::copy_of(self.varlena(i)) }.into())
     }
 
     /// At least the first `len` bytes (or all there are), without fetching the rest where that can be avoided.

@@ -1,37 +1,54 @@
 //! Raw version-1 functions: panics and core errors become PostgreSQL errors.
 
-use asbuilt_core::Result;
+use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 use pgrx::pg_sys::submodules::panic::pgrx_extern_c_guard;
 
-use super::{Args, Ret};
+use super::memory::Account;
+use super::{Args, Ret, allocator};
 
-/// Runs the body of an SQL function.
+/// Runs the body of an SQL function, on an account of memory where one is named.
 ///
 /// # Safety
 /// `fcinfo` must be the pointer PostgreSQL called the function with.
 pub unsafe fn run(
     fcinfo: pg_sys::FunctionCallInfo,
     name: &'static str,
+    account: Option<Account>,
     body: impl FnOnce(&Args) -> Result<Ret>,
 ) -> pg_sys::Datum {
     unsafe {
         pgrx_extern_c_guard(move || {
             let args = Args::new(fcinfo);
-            match body(&args) {
+            // What an earlier call was refused is its own matter.
+            allocator::take_refusal();
+            let opened = account.map(Account::open);
+            let mut outcome = body(&args);
+            drop(opened);
+            if let (Some(bytes), Ok(_)) = (allocator::take_refusal(), &outcome) {
+                outcome = Err(Error::OutOfMemory { bytes });
+            }
+            match outcome {
                 Ok(ret) => ret.into_datum(fcinfo),
-                Err(error) => {
-                    crate::error::report(&error, name).report(pgrx::PgLogLevel::ERROR);
-                    unreachable!("an ERROR report does not return")
-                }
+                Err(error) => raise(&error, name),
             }
         })
     }
 }
 
-/// Declares SQL-callable functions: `fn name(args) { body }`, the body an expression of `Result<Ret, Error>`.
+/// Raises an error of core's, met in the SQL function `name`.
+pub fn raise(error: &Error, name: &'static str) -> ! {
+    crate::error::report(error, name).report(pgrx::PgLogLevel::ERROR);
+    unreachable!("an ERROR report does not return")
+}
+
+/// Declares SQL-callable functions: `fn name(args) { body }`, the body an expression of `Result<Ret, Error>`. Those after
+/// `on Account::…;` take their memory on that account.
 macro_rules! sql_functions {
-    ($($(#[$meta:meta])* fn $name:ident($args:ident) $body:block)*) => {
+    (on $account:expr; $($rest:tt)*) => { $crate::pg::sql_functions! { @ Some($account); $($rest)* } };
+    (fn $($rest:tt)*) => { $crate::pg::sql_functions! { @ None; fn $($rest)* } };
+    (# $($rest:tt)*) => { $crate::pg::sql_functions! { @ None; # $($rest)* } };
+    (@ $account:expr; $($(#[$meta:meta])* fn $name:ident($args:ident) $body:block)*) => {
         $(
             const _: () = {
                 #[unsafe(export_name = concat!("pg_finfo_", stringify!($name)))]
@@ -45,7 +62,7 @@ macro_rules! sql_functions {
                 unsafe extern "C-unwind" fn entry(fcinfo: pgrx::pg_sys::FunctionCallInfo) -> pgrx::pg_sys::Datum {
                     #[allow(unused_variables)]
                     unsafe {
-                        $crate::pg::run(fcinfo, stringify!($name), |$args: &$crate::pg::Args| $body)
+                        $crate::pg::run(fcinfo, stringify!($name), $account, |$args: &$crate::pg::Args| $body)
                     }
                 }
             };

@@ -1,15 +1,18 @@
-//! The only place with `unsafe`: PostgreSQL's calling convention, memory, arrays, rows, queries, interrupts, threads, the
-//! planner's questions.
+//! The only place with `unsafe`: PostgreSQL's calling convention, memory, arrays, rows, queries, interrupts, threads, what is
+//! allocated, the planner's questions.
 //!
 //! Everything outside sees safe types: [`Args`] to read arguments, [`Ret`] to return, [`Rows`] to return many.
 
 mod aggregate;
+mod allocator;
 mod analyze;
 mod args;
 mod array;
 mod function;
 mod gist;
 mod interrupt;
+mod load;
+mod memory;
 mod query;
 mod ret;
 mod rows;
@@ -26,7 +29,8 @@ pub use args::Args;
 pub use function::run;
 pub(crate) use function::sql_functions;
 pub use gist::{KeyVector, PickSplit};
-pub use interrupt::interrupt;
+pub use load::{capture_no_backtraces, reserve_settings};
+pub use memory::{Account, Backend, memory_in_use};
 pub use query::{Cell, Column, Query, for_each_batch};
 pub use ret::Ret;
 pub use rows::{Field, Rows};

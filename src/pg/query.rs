@@ -5,7 +5,8 @@ use std::ffi::CString;
 use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 
-use super::{Args, interrupt, own_type_name, toast};
+use super::interrupt::serve;
+use super::{Args, own_type_name, toast};
 
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,7 +92,7 @@ unsafe fn fetch_all(
     unsafe {
         let readers = readers(args, query, (*portal).tupDesc)?;
         loop {
-            interrupt();
+            serve();
             pg_sys::SPI_cursor_fetch(portal, true, batch);
             let (table, count) = (pg_sys::SPI_tuptable, pg_sys::SPI_processed as usize);
             if count == 0 {

@@ -3,7 +3,7 @@
 use pgrx::pg_sys;
 
 use super::array;
-use super::interrupt::interrupt;
+use super::interrupt::serve;
 use super::rows::{self, Field};
 
 /// What an SQL function returns.
@@ -105,7 +105,7 @@ pub unsafe fn new_varlena(len: usize) -> (*mut pg_sys::varlena, *mut u8) {
 pub unsafe fn copy(from: &[u8], to: *mut u8) {
     const PIECE: usize = 1 << 24;
     for (i, piece) in from.chunks(PIECE).enumerate() {
-        interrupt();
+        serve();
         unsafe { std::ptr::copy_nonoverlapping(piece.as_ptr(), to.add(i * PIECE), piece.len()) };
     }
 }

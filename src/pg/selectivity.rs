@@ -52,7 +52,7 @@ pub fn restriction(args: &Args) -> Option<Restriction> {
         if !pg_sys::get_restriction_variable(root, list, args.i32(3), &mut data, &mut node, &mut column_on_left) {
             return None;
         }
-        let column = known(args, &data);
+        let column = known(args, &mut data);
         let other = other(args, root, pg_sys::estimate_expression_value(root, node));
         release(&data);
         Some(Restriction { column, other, column_on_left })
@@ -71,7 +71,7 @@ unsafe fn other(args: &Args, root: *mut pg_sys::PlannerInfo, node: *mut pg_sys::
         }
         let mut data = pg_sys::VariableStatData::default();
         pg_sys::examine_variable(root, node, 0, &mut data);
-        let column = known(args, &data);
+        let column = known(args, &mut data);
         release(&data);
         if column.numbers.is_some() { Other::Column(column) } else { Other::Unknown }
     }
@@ -106,7 +106,9 @@ pub fn join(args: &Args) -> Join {
     }
 }
 
-unsafe fn known(args: &Args, data: &pg_sys::VariableStatData) -> Known {
+/// What is known of a column, as far as the user may: like PostgreSQL's own estimators, an operator that is not
+/// leakproof is told nothing of rows that row-level security or missing rights hide.
+unsafe fn known(args: &Args, data: &mut pg_sys::VariableStatData) -> Known {
     unsafe {
         let rows = if data.rel.is_null() { 1.0 } else { (*data.rel).rows.max(1.0) };
         let mut out = Known { type_name: own_type_name(args, data.vartype), present: 1.0, numbers: None, rows };
@@ -115,6 +117,10 @@ unsafe fn known(args: &Args, data: &pg_sys::VariableStatData) -> Known {
         }
         let row = pg_sys::GETSTRUCT(data.statsTuple).cast::<pg_sys::FormData_pg_statistic>();
         out.present = 1.0 - f64::from((*row).stanullfrac);
+        let operator = pg_sys::get_opcode(pg_sys::Oid::from(args.datum(1).value() as u32));
+        if !pg_sys::statistic_proc_security_check(data, operator) {
+            return out;
+        }
         let mut slot = pg_sys::AttStatsSlot::default();
         let (kind, values) = (i32::from(BOX_STATISTICS), pg_sys::ATTSTATSSLOT_VALUES as i32);
         if pg_sys::get_attstatsslot(&mut slot, data.statsTuple, kind, pg_sys::InvalidOid, values) {

@@ -5,19 +5,9 @@ use pgrx::pg_sys::submodules::panic::pgrx_extern_c_guard;
 
 use super::{Args, Ret};
 
-// By its own address PostgreSQL (from 15 on) knows it and sorts without calling it; pgrx has a wrapper only.
-#[cfg(not(feature = "pg14"))]
+// By its own address PostgreSQL knows it and sorts without calling it; pgrx has a wrapper only.
 unsafe extern "C-unwind" {
     fn ssup_datum_unsigned_cmp(x: pg_sys::Datum, y: pg_sys::Datum, support: pg_sys::SortSupport) -> std::ffi::c_int;
-}
-
-#[cfg(feature = "pg14")]
-unsafe extern "C-unwind" fn ssup_datum_unsigned_cmp(
-    x: pg_sys::Datum,
-    y: pg_sys::Datum,
-    _support: pg_sys::SortSupport,
-) -> std::ffi::c_int {
-    x.value().cmp(&y.value()) as std::ffi::c_int
 }
 
 /// The number that a fixed-length key of `N` bytes is sorted by.

@@ -10,7 +10,8 @@ use asbuilt_core::verify::Threads;
 use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 
-use super::interrupt;
+use super::interrupt::serve;
+use super::memory::{Backend, Helper};
 
 thread_local! {
     /// The backend's pool, asleep between calls: made anew for every call, pools leave memory behind.
@@ -40,10 +41,10 @@ impl Crew {
 
     /// Runs `work` on the crew. It is given what to ask whether to stop; a cancel then raises its error from here.
     pub fn run<T: Send>(&self, work: impl FnOnce(asbuilt_core::Interrupt) -> Result<T> + Send) -> Result<T> {
-        let Some(pool) = &self.pool else { return work(&interrupt) };
-        let outcome = pool.install(|| work(&cancelled));
+        let Some(pool) = &self.pool else { return work(&Backend) };
+        let outcome = pool.install(|| work(&Helper));
         if matches!(outcome, Err(Error::Interrupted)) {
-            interrupt();
+            serve();
         }
         outcome
     }
@@ -58,14 +59,6 @@ fn pool_of(count: usize) -> Option<Arc<rayon::ThreadPool>> {
         }
         pool.clone()
     })
-}
-
-/// Whether this query is to end: read by other threads, which must not serve interrupts themselves.
-fn cancelled() -> bool {
-    unsafe {
-        std::ptr::read_volatile(&raw const pg_sys::QueryCancelPending) != 0
-            || std::ptr::read_volatile(&raw const pg_sys::ProcDiePending) != 0
-    }
 }
 
 /// Threads that start meanwhile inherit the mask: no signal is ever delivered to them.

@@ -2,7 +2,7 @@
 
 use pgrx::pg_sys;
 
-use super::interrupt;
+use super::interrupt::serve;
 use super::ret::{copy, new_varlena};
 
 /// Values of this size and more are fetched in pieces: PostgreSQL serves no interrupt while it fetches one.
@@ -22,11 +22,28 @@ pub unsafe fn fetch(v: *mut pg_sys::varlena) -> *mut pg_sys::varlena {
     }
 }
 
+/// A value of one's own, with a header of four bytes.
+///
+/// # Safety
+/// `v` must point to a variable-length value.
+pub unsafe fn copy_of(v: *mut pg_sys::varlena) -> *mut pg_sys::varlena {
+    unsafe {
+        let fetched = fetch(v);
+        if fetched != v && !pgrx::varlena::varatt_is_1b(fetched) {
+            return fetched;
+        }
+        let bytes = pgrx::varlena::varlena_to_byte_slice(fetched);
+        let (own, data) = new_varlena(bytes.len());
+        copy(bytes, data);
+        own
+    }
+}
+
 unsafe fn fetch_in_pieces(v: *mut pg_sys::varlena, size: usize) -> *mut pg_sys::varlena {
     unsafe {
         let (whole, data) = new_varlena(size);
         for start in (0..size).step_by(PIECE) {
-            interrupt();
+            serve();
             let piece = pg_sys::pg_detoast_datum_slice(v, start as i32, PIECE.min(size - start) as i32);
             let bytes = pgrx::varlena::varlena_to_byte_slice(piece);
             assert!(bytes.len() == PIECE.min(size - start), "a stored value is shorter than it says");

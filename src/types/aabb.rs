@@ -10,7 +10,8 @@ pub const BOX_LEN: usize = 48;
 
 /// The stored form.
 pub fn box_bytes(b: &Aabb) -> Vec<u8> {
-    b.min.iter().chain(&b.max).flat_map(|c| c.to_ne_bytes()).collect()
+    // Zero has no sign: text and binary forms say the same.
+    b.min.iter().chain(&b.max).flat_map(|c| (c + 0.0).to_ne_bytes()).collect()
 }
 
 /// Reads the stored form.

@@ -8,14 +8,13 @@ use super::hex::{hex_in, hex_out};
 use super::occupancy::{cover, occupancy_arg, words};
 use super::rollup::rolled_up;
 use super::{box_bytes, box_from};
-use crate::pg::{Args, Field, Ret, Rows, interrupt, sql_functions};
-use crate::settings::max_grid_memory;
+use crate::pg::{Account, Args, Backend, Field, Ret, Rows, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_change:1:";
 
 fn read(bytes: &[u8]) -> Result<Change> {
-    Change::from_bytes(bytes, max_grid_memory(), &interrupt)
+    Change::from_bytes(bytes, &Backend)
 }
 
 fn arg(args: &Args, i: usize) -> Result<Change> {
@@ -23,21 +22,23 @@ fn arg(args: &Args, i: usize) -> Result<Change> {
 }
 
 fn ret(change: &Change) -> Result<Ret> {
-    Ok(Ret::Bytes(change.to_bytes(&interrupt)?))
+    Ok(Ret::Bytes(change.to_bytes(&Backend)?))
 }
 
 sql_functions! {
+    on Account::Grid;
+
     fn ab_change_in(args) { ret(&read(&hex_in(args, "ab_change", PREFIX)?)?) }
 
     fn ab_change_out(args) { hex_out(args, PREFIX) }
 
     fn ab_change_recv(args) { ret(&read(args.message(0))?) }
 
-    fn ab_change_send(args) { Ok(args.fetched(0)) }
+    fn ab_change_send(args) { Ok(args.copied(0)) }
 
     fn ab_change_grid(args) { grid_ret(&Change::header(args.prefix(0, TileHeader::LEN))?.grid) }
 
-    fn ab_change_clip(args) { ret(&arg(args, 0)?.clipped(&box_from(&args.fixed(1)), &interrupt)?) }
+    fn ab_change_clip(args) { ret(&arg(args, 0)?.clipped(&box_from(&args.fixed(1)), &Backend)?) }
 
     /// ab_change(old, new, threshold, tolerance)
     fn ab_change_between(args) {
@@ -48,15 +49,14 @@ sql_functions! {
         let (old, new) = (occupancy_arg(args, 0)?, occupancy_arg(args, 1)?);
         let margin = old.grid().margin.max(new.grid().margin).min(8.0 * new.grid().voxel);
         let tolerance = if args.is_null(3) { margin } else { args.f64(3) };
-        ret(&Change::between(&old, &new, Settings { threshold, tolerance }, max_grid_memory(), &interrupt)?)
+        ret(&Change::between(&old, &new, Settings { threshold, tolerance }, &Backend)?)
     }
 
     /// ab_rollup(change, change)
     fn ab_change_rollup(args) {
         rolled_up(args, || {
             let mut sum = arg(args, 0)?;
-            sum.merge(&arg(args, 1)?, &interrupt)?;
-            sum.check_memory(max_grid_memory())?;
+            sum.merge(&arg(args, 1)?, &Backend)?;
             ret(&sum)
         })
     }
@@ -73,7 +73,7 @@ sql_functions! {
             return Err(Error::argument("the margin", "from 0 to 8 voxels", format!("{margin} m")));
         }
         let mask = if args.is_null(1) { None } else { Some(cover(args, 1, change.grid(), margin)?) };
-        let tally = change.tally(mask.as_ref(), margin, &interrupt)?;
+        let tally = change.tally(mask.as_ref(), margin, &Backend)?;
         let (total, volume) = (tally.total(), change.grid().voxel_volume());
         let voxels: Vec<u64> = tally.voxels.into_iter().chain([total]).collect();
         let share = |n: u64| if total == 0 { Field::Null } else { Field::F64(n as f64 / total as f64) };
@@ -93,7 +93,7 @@ sql_functions! {
             false => words(args, 1, "the classes")?.iter().map(|w| Class::parse(w)).collect::<Result<_>>()?,
         };
         let change = arg(args, 0)?;
-        change.for_each(&interrupt, |voxel, class| {
+        change.for_each(&Backend, |voxel, class| {
             if classes.contains(&class) {
                 let [x, y, z] = <[f64; 3]>::from(change.grid().centre(voxel)).map(Field::F64);
                 rows.push(&[x, y, z, Field::Text(change.class_name(class).into())]);
@@ -119,7 +119,7 @@ sql_functions! {
         let gap = if args.is_null(3) { 4.0 * change.grid().voxel } else { args.f64(3) };
         let mut found = Vec::new();
         for class in classes {
-            found.extend(change.components(class, least, gap, max_grid_memory(), &interrupt)?);
+            found.extend(change.components(class, least, gap, &Backend)?);
         }
         found.sort_by_key(|c| std::cmp::Reverse(c.voxels));
         for c in found {

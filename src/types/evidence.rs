@@ -6,7 +6,7 @@ use asbuilt_core::verify::{Evidence, EvidenceHeader};
 use super::box_bytes;
 use super::hex::{hex_in, hex_out};
 use super::rollup::rolled_up;
-use crate::pg::{Args, Ret, interrupt, sql_functions};
+use crate::pg::{Account, Args, Backend, Ret, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_evidence:1:";
@@ -16,9 +16,11 @@ fn header(args: &Args) -> Result<EvidenceHeader> {
 }
 
 sql_functions! {
+    on Account::Evidence;
+
     fn ab_evidence_in(args) {
         let bytes = hex_in(args, "ab_evidence", PREFIX)?;
-        Ok(Ret::Bytes(Evidence::from_bytes(&bytes, &interrupt)?.to_bytes(&interrupt)?))
+        Ok(Ret::Bytes(Evidence::from_bytes(&bytes, &Backend)?.to_bytes(&Backend)?))
     }
 
     fn ab_evidence_out(args) {
@@ -26,19 +28,19 @@ sql_functions! {
     }
 
     fn ab_evidence_recv(args) {
-        Ok(Ret::Bytes(Evidence::from_bytes(args.message(0), &interrupt)?.to_bytes(&interrupt)?))
+        Ok(Ret::Bytes(Evidence::from_bytes(args.message(0), &Backend)?.to_bytes(&Backend)?))
     }
 
     fn ab_evidence_send(args) {
-        Ok(args.fetched(0))
+        Ok(args.copied(0))
     }
 
     /// ab_rollup(e1, e2); a NULL adds nothing.
     fn ab_evidence_rollup(args) {
         rolled_up(args, || {
-            let mut e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
-            e.merge(&Evidence::from_bytes(args.bytes(1), &interrupt)?, &interrupt)?;
-            Ok(Ret::Bytes(e.to_bytes(&interrupt)?))
+            let mut e = Evidence::from_bytes(args.bytes(0), &Backend)?;
+            e.merge(&Evidence::from_bytes(args.bytes(1), &Backend)?, &Backend)?;
+            Ok(Ret::Bytes(e.to_bytes(&Backend)?))
         })
     }
 

@@ -4,10 +4,10 @@ use asbuilt_core::geometry::Aabb;
 use asbuilt_core::num::bytes::Reader;
 use asbuilt_core::scan::NO_RETURN_REACH_M;
 use asbuilt_core::voxel::Grid;
-use asbuilt_core::{Error, Result};
+use asbuilt_core::{Budget, Error, Result};
 
 use super::{box_bytes, box_from};
-use crate::pg::{Args, Field, Ret, Rows, interrupt, sql_functions};
+use crate::pg::{Args, Backend, Field, Ret, Rows, sql_functions};
 
 /// Most tiles of `ab_tiles`.
 const MOST_TILES: f64 = 1e7;
@@ -76,9 +76,9 @@ sql_functions! {
         }
         let along = |[first, end]: [f64; 2]| (0..(end - first) as i64).map(move |i| first + i as f64);
         for (i, j) in along(x).flat_map(|i| along(y).map(move |j| (i, j))) {
-            interrupt();
+            Backend.poll()?;
             for k in along(z) {
-                interrupt();
+                Backend.poll()?;
                 let low = [i, j, k].map(|n| n * size);
                 let high = [i, j, k].map(|n| (n + 1.0) * size);
                 rows.push(&[Field::Fixed(box_bytes(&Aabb::new(low, high)?))]);

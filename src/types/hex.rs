@@ -3,14 +3,14 @@
 use asbuilt_core::num::text::{from_hex, to_hex};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Args, Ret, interrupt};
+use crate::pg::{Args, Backend, Ret};
 
 /// Longest text PostgreSQL can hold, with its terminator.
 const MAX_TEXT: usize = (1 << 30) - 2;
 
 /// The bytes that the text in argument 0 of an input function stands for.
 pub fn hex_in(args: &Args, ty: &'static str, prefix: &str) -> Result<Vec<u8>> {
-    from_hex(ty, prefix, args.cstring_bytes(0), &interrupt)
+    from_hex(ty, prefix, args.cstring_bytes(0), &Backend)
 }
 
 /// The text of the value in argument 0.
@@ -22,5 +22,5 @@ pub fn hex_out(args: &Args, prefix: &str) -> Result<Ret> {
             (format!("{length} characters"), format!("{MAX_TEXT}; COPY ... (FORMAT binary) takes more"));
         return Err(Error::Limit { what: "the text form", value, limit });
     }
-    Ok(Ret::CString(to_hex(prefix, bytes, &interrupt)?))
+    Ok(Ret::CString(to_hex(prefix, bytes, &Backend)?))
 }

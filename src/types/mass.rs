@@ -7,7 +7,7 @@ use crate::pg::{Args, Ret, sql_functions};
 
 /// The stored form.
 pub fn mass_bytes(m: &Mass) -> Vec<u8> {
-    [m.occupied, m.empty, m.unknown].iter().flat_map(|c| c.to_ne_bytes()).collect()
+    [m.occupied, m.empty, m.unknown].iter().flat_map(|c| (c + 0.0).to_ne_bytes()).collect()
 }
 
 /// The mass in argument `i`.

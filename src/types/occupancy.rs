@@ -8,14 +8,13 @@ use super::grid::{grid_arg, grid_ret};
 use super::hex::{hex_in, hex_out};
 use super::rollup::rolled_up;
 use super::{box_bytes, box_from};
-use crate::pg::{Args, Field, Ret, Rows, interrupt, sql_functions};
-use crate::settings::max_grid_memory;
+use crate::pg::{Account, Args, Backend, Field, Ret, Rows, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_occupancy:1:";
 
 fn read(bytes: &[u8]) -> Result<Occupancy> {
-    Occupancy::from_bytes(bytes, max_grid_memory(), &interrupt)
+    Occupancy::from_bytes(bytes, &Backend)
 }
 
 /// The occupancy in argument `i`.
@@ -25,7 +24,7 @@ pub fn occupancy_arg(args: &Args, i: usize) -> Result<Occupancy> {
 
 /// The stored form.
 pub fn occupancy_ret(occupancy: &Occupancy) -> Result<Ret> {
-    Ok(Ret::Bytes(occupancy.to_bytes(&interrupt)?))
+    Ok(Ret::Bytes(occupancy.to_bytes(&Backend)?))
 }
 
 /// The words of a `text[]`.
@@ -39,9 +38,9 @@ pub fn words(args: &Args, i: usize, what: &'static str) -> Result<Vec<String>> {
 pub fn cover(args: &Args, i: usize, grid: &Grid, margin: f64) -> Result<Mask> {
     let tile = grid.tile.expanded(margin + grid.voxel);
     let grid = &Grid { tile, ..*grid };
-    let solid = Solid::from_stored(args.bytes(i), &interrupt)?;
+    let solid = Solid::from_stored(args.bytes(i), &Backend)?;
     let rule = if solid.volume().is_ok() { Rule::Cover } else { Rule::Surface };
-    Mask::of(&solid, grid, rule, max_grid_memory(), &interrupt)
+    Mask::of(&solid, grid, rule, &Backend)
 }
 
 /// Voxels of the tile; `None` for a tile without end.
@@ -51,13 +50,15 @@ fn voxels_of_tile(grid: &Grid) -> Option<u64> {
 }
 
 sql_functions! {
+    on Account::Grid;
+
     fn ab_occupancy_in(args) { occupancy_ret(&read(&hex_in(args, "ab_occupancy", PREFIX)?)?) }
 
     fn ab_occupancy_out(args) { hex_out(args, PREFIX) }
 
     fn ab_occupancy_recv(args) { occupancy_ret(&read(args.message(0))?) }
 
-    fn ab_occupancy_send(args) { Ok(args.fetched(0)) }
+    fn ab_occupancy_send(args) { Ok(args.copied(0)) }
 
     /// ab_occupancy(grid, model)
     fn ab_occupancy_empty(args) {
@@ -66,7 +67,7 @@ sql_functions! {
     }
 
     fn ab_occupancy_clip(args) {
-        occupancy_ret(&occupancy_arg(args, 0)?.clipped(&box_from(&args.fixed(1)), &interrupt)?)
+        occupancy_ret(&occupancy_arg(args, 0)?.clipped(&box_from(&args.fixed(1)), &Backend)?)
     }
 
     fn ab_occupancy_grid(args) { grid_ret(&Occupancy::header(args.prefix(0, TileHeader::LEN))?.grid) }
@@ -81,8 +82,7 @@ sql_functions! {
     fn ab_occupancy_rollup(args) {
         rolled_up(args, || {
             let mut sum = occupancy_arg(args, 0)?;
-            sum.merge(&occupancy_arg(args, 1)?, &interrupt)?;
-            sum.check_memory(max_grid_memory())?;
+            sum.merge(&occupancy_arg(args, 1)?, &Backend)?;
             occupancy_ret(&sum)
         })
     }
@@ -103,7 +103,7 @@ sql_functions! {
             return Err(Error::argument("a state", "occupied, ambiguous or empty: unknown space has no end", "unknown"));
         }
         let occupancy = occupancy_arg(args, 0)?;
-        occupancy.for_each(Settings::threshold(args.i32(2))?, &interrupt, |voxel, state, hits| {
+        occupancy.for_each(Settings::threshold(args.i32(2))?, &Backend, |voxel, state, hits| {
             if states.contains(&state) {
                 let centre = occupancy.grid().centre(voxel);
                 let place = [0, 1, 2].map(|i| Field::F64(centre[i]));
@@ -120,7 +120,7 @@ sql_functions! {
         let Some(axis) = ["x", "y", "z"].iter().position(|a| *a == name) else {
             return Err(Error::argument("the axis", "x, y or z", name));
         };
-        let slice = occupancy_arg(args, 0)?.slice(axis, args.f64(2), Settings::threshold(args.i32(3))?, &interrupt)?;
+        let slice = occupancy_arg(args, 0)?.slice(axis, args.f64(2), Settings::threshold(args.i32(3))?, &Backend)?;
         Ok(Ret::I32Array(slice.states, vec![slice.rows as i32, slice.columns as i32]))
     }
 
@@ -131,7 +131,7 @@ sql_functions! {
         }
         let (occupancy, threshold) = (occupancy_arg(args, 0)?, Settings::threshold(args.i32(1))?);
         let mask = if args.is_null(2) { None } else { Some(cover(args, 2, occupancy.grid(), 0.0)?) };
-        let tally = occupancy.tally(threshold, mask.as_ref(), &interrupt)?;
+        let tally = occupancy.tally(threshold, mask.as_ref(), &Backend)?;
         let known = tally.occupied + tally.ambiguous + tally.empty;
         let span = occupancy.grid().span();
         let all = mask.map_or_else(|| voxels_of_tile(occupancy.grid()), |m| Some(m.len_within(&span)));
@@ -152,8 +152,8 @@ sql_functions! {
             return Err(Error::argument("the number of neighbours", "from 0 to 26", args.i32(1)));
         };
         let threshold = Settings::threshold(args.i32(2))?;
-        occupancy_ret(&occupancy_arg(args, 0)?.denoised(neighbours, threshold, &interrupt)?)
+        occupancy_ret(&occupancy_arg(args, 0)?.denoised(neighbours, threshold, &Backend)?)
     }
 
-    fn ab_occupancy_downsample(args) { occupancy_ret(&occupancy_arg(args, 0)?.downsampled(&interrupt)?) }
+    fn ab_occupancy_downsample(args) { occupancy_ret(&occupancy_arg(args, 0)?.downsampled(&Backend)?) }
 }

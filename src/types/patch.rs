@@ -6,7 +6,7 @@ use asbuilt_core::{Error, Result};
 
 use super::scan::header;
 use super::{box_from, uncertain};
-use crate::pg::{Field, Ret, Rows, interrupt, sql_functions};
+use crate::pg::{Backend, Field, Ret, Rows, sql_functions};
 
 fn or_null(patch: Option<Patch>) -> Result<Ret> {
     Ok(patch.map_or(Ret::Null, |p| Ret::Bytes(p.to_bytes())))
@@ -71,12 +71,12 @@ sql_functions! {
     }
 
     fn ab_scan_union(args) {
-        or_null(Patch::union(&args.bytes_array(0, "the patches")?, &interrupt)?)
+        or_null(Patch::union(&args.bytes_array(0, "the patches")?, &Backend)?)
     }
 
     fn ab_scan_retile(args) {
         let mut rows = Rows::new(args)?;
-        for patch in Patch::retiled(&args.bytes_array(0, "the patches")?, &interrupt)? {
+        for patch in Patch::retiled(&args.bytes_array(0, "the patches")?, &Backend)? {
             rows.push(&[Field::Bytes(patch.to_bytes())]);
         }
         Ok(Ret::Null)

@@ -8,8 +8,8 @@ use crate::pg::{Args, Ret};
 pub fn rolled_up(args: &Args, sum: impl FnOnce() -> Result<Ret>) -> Result<Ret> {
     match (args.is_null(0), args.is_null(1)) {
         (true, true) => Ok(Ret::Null),
-        (false, true) => Ok(args.fetched(0)),
-        (true, false) => Ok(args.fetched(1)),
+        (false, true) => Ok(args.copied(0)),
+        (true, false) => Ok(args.copied(1)),
         (false, false) => sum(),
     }
 }

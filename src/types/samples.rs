@@ -5,21 +5,23 @@ use asbuilt_core::verify::{Evidence, Place};
 
 use super::mass_bytes;
 use super::summary::question;
-use crate::pg::{Field, Ret, Rows, interrupt, sql_functions};
+use crate::pg::{Account, Backend, Field, Ret, Rows, sql_functions};
 
 fn vector(v: &Vec3) -> Field {
     Field::Vector((*v).into())
 }
 
 sql_functions! {
+    on Account::Evidence;
+
     fn ab_samples(args) {
         let mut rows = Rows::new(args)?;
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
+        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
         let model = question(args, &e, 1)?;
-        e.for_each_sample(&model, &interrupt, |position, normal, b| {
+        e.for_each_sample(&model, &Backend, |position, normal, b| {
             rows.push(&[
                 vector(position),
                 vector(normal),
@@ -37,17 +39,17 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
+        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
         let model = question(args, &e, 1)?;
-        for f in e.faces(&model, &interrupt)? {
+        for f in e.faces(&model, &Backend)? {
             rows.push(&[
                 vector(&f.normal),
-                Field::I64(f.samples as i64),
-                Field::I64(f.seen as i64),
-                Field::I64(f.confirmed as i64),
-                Field::I64(f.refuted as i64),
-                Field::I64(f.open() as i64),
-                Field::I64(f.pierced as i64),
+                Field::I64(f.counts.samples as i64),
+                Field::I64(f.counts.seen as i64),
+                Field::I64(f.counts.confirmed as i64),
+                Field::I64(f.counts.refuted as i64),
+                Field::I64(f.counts.open() as i64),
+                Field::I64(f.counts.pierced as i64),
                 Field::or_null(f.deviation, |d| Field::F64(d.0)),
                 Field::or_null(f.deviation, |d| Field::F64(d.1)),
             ]);
@@ -60,8 +62,8 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
-        for c in e.contributions(&interrupt)? {
+        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
+        for c in e.contributions(&Backend)? {
             let origin = if let Place::At(origin) = &c.place { vector(origin) } else { Field::Null };
             rows.push(&[Field::I64(c.station), origin, Field::I64(c.seen as i64), Field::I64(c.added as i64)]);
         }

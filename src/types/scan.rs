@@ -85,7 +85,7 @@ sql_functions! {
     }
 
     fn ab_scan_send(args) {
-        Ok(args.fetched(0))
+        Ok(args.copied(0))
     }
 
     fn ab_scan_make(args) {

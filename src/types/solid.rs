@@ -5,7 +5,7 @@ use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
 use super::hex::{hex_in, hex_out};
-use crate::pg::{Args, Ret, interrupt, sql_functions};
+use crate::pg::{Args, Backend, Ret, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_solid:1:";
@@ -22,13 +22,13 @@ fn from_arrays(args: &Args) -> Result<Solid> {
             return Err(Error::TriangleIndex { triangle: t, index: i64::from(i), vertices: vertices.len() });
         }
     }
-    Solid::interruptible(vertices, triangles.into_iter().map(|t| t.map(|i| i as u32)).collect(), &interrupt)
+    Solid::interruptible(vertices, triangles.into_iter().map(|t| t.map(|i| i as u32)).collect(), &Backend)
 }
 
 sql_functions! {
     fn ab_solid_in(args) {
         let bytes = hex_in(args, "ab_solid", PREFIX)?;
-        Ok(Ret::Bytes(Solid::from_bytes(&bytes, &interrupt)?.to_bytes(&interrupt)?))
+        Ok(Ret::Bytes(Solid::from_bytes(&bytes, &Backend)?.to_bytes(&Backend)?))
     }
 
     fn ab_solid_out(args) {
@@ -36,22 +36,22 @@ sql_functions! {
     }
 
     fn ab_solid_recv(args) {
-        Ok(Ret::Bytes(Solid::from_bytes(args.message(0), &interrupt)?.to_bytes(&interrupt)?))
+        Ok(Ret::Bytes(Solid::from_bytes(args.message(0), &Backend)?.to_bytes(&Backend)?))
     }
 
     fn ab_solid_send(args) {
-        Ok(args.fetched(0))
+        Ok(args.copied(0))
     }
 
     /// ab_solid(vertices float8[][], triangles int[][])
     fn ab_solid_make(args) {
-        Ok(Ret::Bytes(from_arrays(args)?.to_bytes(&interrupt)?))
+        Ok(Ret::Bytes(from_arrays(args)?.to_bytes(&Backend)?))
     }
 
     /// ab_solid(ab_box): a cuboid.
     fn ab_solid_from_box(args) {
         let b = super::box_from(&args.fixed(0));
-        Ok(Ret::Bytes(Solid::cuboid(b.min, b.max)?.to_bytes(&interrupt)?))
+        Ok(Ret::Bytes(Solid::cuboid(b.min, b.max)?.to_bytes(&Backend)?))
     }
 
     fn ab_solid_box(args) {
@@ -72,24 +72,24 @@ sql_functions! {
     }
 
     fn ab_solid_vertices(args) {
-        let s = Solid::from_stored(args.bytes(0), &interrupt)?;
+        let s = Solid::from_stored(args.bytes(0), &Backend)?;
         let flat = s.vertices().iter().flat_map(|v| [v.x, v.y, v.z]).collect();
         Ok(Ret::F64Array(flat, vec![s.vertices().len() as i32, 3]))
     }
 
     fn ab_solid_triangles(args) {
-        let s = Solid::from_stored(args.bytes(0), &interrupt)?;
+        let s = Solid::from_stored(args.bytes(0), &Backend)?;
         let flat = s.triangles().iter().flatten().map(|&i| i as i32).collect();
         Ok(Ret::I32Array(flat, vec![s.triangles().len() as i32, 3]))
     }
 
     fn ab_solid_from_ewkb(args) {
-        Ok(Ret::Bytes(Solid::from_ewkb(args.bytes(0), &interrupt)?.to_bytes(&interrupt)?))
+        Ok(Ret::Bytes(Solid::from_ewkb(args.bytes(0), &Backend)?.to_bytes(&Backend)?))
     }
 
     /// ab_as_ewkb(solid, tin)
     fn ab_solid_as_ewkb(args) {
         let kind = if args.bool(1) { SurfaceKind::Tin } else { SurfaceKind::Polyhedral };
-        Ok(Ret::Bytes(Solid::from_stored(args.bytes(0), &interrupt)?.to_ewkb(kind, &interrupt)?))
+        Ok(Ret::Bytes(Solid::from_stored(args.bytes(0), &Backend)?.to_ewkb(kind, &Backend)?))
     }
 }

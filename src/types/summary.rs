@@ -3,7 +3,7 @@
 use asbuilt_core::Result;
 use asbuilt_core::verify::{Evidence, EvidenceModel, Summary, VerdictRule};
 
-use crate::pg::{Args, Field, Ret, interrupt, sql_functions};
+use crate::pg::{Account, Args, Backend, Field, Ret, sql_functions};
 
 /// The evidence's model, with the level of accuracy in argument `i` and the confidence in the next, unless NULL.
 pub fn question(args: &Args, e: &Evidence, i: usize) -> Result<EvidenceModel> {
@@ -40,8 +40,8 @@ pub fn rule(args: &Args, i: usize) -> Result<VerdictRule> {
 }
 
 fn summary(args: &Args) -> Result<Summary> {
-    let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
-    e.summary(&question(args, &e, 1)?, &rule(args, 3)?, &interrupt)
+    let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
+    e.summary(&question(args, &e, 1)?, &rule(args, 3)?, &Backend)
 }
 
 /// The columns of `ab_summary`.
@@ -63,6 +63,8 @@ pub fn row(s: &Summary) -> Vec<Field> {
 }
 
 sql_functions! {
+    on Account::Evidence;
+
     fn ab_summary(args) {
         if args.is_null(0) {
             return Ok(Ret::Null);
@@ -74,8 +76,8 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
-        let verdict = e.verdict(&question(args, &e, 1)?, &rule(args, 3)?, &interrupt)?;
+        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
+        let verdict = e.verdict(&question(args, &e, 1)?, &rule(args, 3)?, &Backend)?;
         Ok(Ret::text(verdict.name()))
     }
 
@@ -84,8 +86,8 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
-        Ok(Ret::text(&e.explain(&question(args, &e, 1)?, &rule(args, 3)?, &interrupt)?))
+        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
+        Ok(Ret::text(&e.explain(&question(args, &e, 1)?, &rule(args, 3)?, &Backend)?))
     }
 
     /// The rigid offset as numbers: vector, standard deviations, undetermined directions.
@@ -93,8 +95,8 @@ sql_functions! {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0), &interrupt)?;
-        let Some(t) = e.rigid_shift(&interrupt)? else {
+        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
+        let Some(t) = e.rigid_shift(&Backend)? else {
             return Ok(Ret::Null);
         };
         let axis = |i: usize, x: f64| if t.determines(i) { Field::F64(x) } else { Field::Null };

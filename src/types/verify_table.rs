@@ -2,12 +2,11 @@
 
 use asbuilt_core::geometry::Solid;
 use asbuilt_core::verify::{Evidence, EvidenceModel, Samples, Summary, VerdictRule, Verifier};
-use asbuilt_core::{Error, Result};
+use asbuilt_core::{Budget, Error, Result};
 
 use super::evidence_model::{model_arg, parse};
 use super::summary::{row, rule};
-use crate::pg::{Args, Cell, Column, Crew, Field, Query, Ret, Rows, for_each_batch, sql_functions};
-use crate::settings;
+use crate::pg::{Account, Args, Backend, Cell, Column, Crew, Field, Query, Ret, Rows, for_each_batch, sql_functions};
 
 /// Patches that are unpacked at once: some ten megabytes.
 const BATCH: i64 = 64;
@@ -35,19 +34,21 @@ fn objects(args: &Args, model: &EvidenceModel, crew: &Crew) -> Result<Objects> {
         optional: 1,
         expected: "a SELECT of an integer id, an ab_solid and perhaps an ab_evidence_model",
     };
-    let mut out = Objects::default();
+    let (mut out, mut expected) = (Objects::default(), 0);
     for_each_batch(args, query, 256, |mut rows| {
         out.rows.extend(rows.iter().map(|r| (r[0].clone(), r[1].bytes().is_some())));
         rows.retain(|r| r[1].bytes().is_some());
-        out.solids.extend(crew.run(|interrupt| {
+        let solids = crew.run(|interrupt| {
             crew.threads().map(&rows, |row| {
                 let solid = Solid::from_stored(row[1].bytes().unwrap_or_default(), interrupt)?;
                 let own = row.get(2).and_then(Cell::bytes).map(parse).transpose()?;
                 Ok((solid, own.unwrap_or(*model)))
             })
-        })?);
+        })?;
         // Before any is spread: a few solids can ask for more than there is.
-        check_memory(out.solids.iter().map(|(solid, m)| Samples::expected_memory(solid, m.spacing)).sum())
+        expected += solids.iter().map(|(solid, m)| Samples::expected_memory(solid, m.spacing)).sum::<usize>();
+        out.solids.extend(solids);
+        Backend.room(expected)
     })?;
     Ok(out)
 }
@@ -62,21 +63,8 @@ fn absorb_scans(args: &Args, verifier: &mut Verifier, crew: &Crew) -> Result<()>
     };
     for_each_batch(args, query, BATCH, |rows| {
         let patches: Vec<&[u8]> = rows.iter().filter_map(|r| r[0].bytes()).collect();
-        crew.run(|interrupt| verifier.absorb(&patches, interrupt))?;
-        check_memory(verifier.memory())
+        crew.run(|interrupt| verifier.absorb(&patches, interrupt))
     })
-}
-
-fn check_memory(bytes: usize) -> Result<()> {
-    let limit = settings::max_evidence_memory();
-    if bytes > limit {
-        return Err(Error::Limit {
-            what: "the evidence about all objects together",
-            value: format!("{} MB", bytes >> 20),
-            limit: format!("{} MB (asbuilt.max_evidence_memory)", limit >> 20),
-        });
-    }
-    Ok(())
 }
 
 fn verdict(
@@ -90,6 +78,8 @@ fn verdict(
 }
 
 sql_functions! {
+    on Account::Evidence;
+
     /// ab_verify_table(objects, scans, model, keep_evidence, min_confirmed, min_coverage, max_conflict)
     fn ab_verify_table(args) {
         let mut out = Rows::new(args)?;

@@ -5,10 +5,11 @@ use asbuilt_core::voxel::{Grid, Mask, Rule, VoxelAccuracy};
 
 use super::grid::tile_arg;
 use super::occupancy::occupancy_ret;
-use crate::pg::{Field, Ret, interrupt, sql_functions};
-use crate::settings::max_grid_memory;
+use crate::pg::{Account, Backend, Field, Ret, sql_functions};
 
 sql_functions! {
+    on Account::Grid;
+
     /// ab_voxelize(solid, voxel, rule, tile)
     fn ab_voxelize(args) {
         if (0..3).any(|i| args.is_null(i)) {
@@ -16,9 +17,9 @@ sql_functions! {
         }
         let grid = Grid::new(args.f64(1), tile_arg(args, 3), 0.0, 0.0)?;
         let rule = Rule::parse(&args.text(2))?;
-        let solid = Solid::from_stored(args.bytes(0), &interrupt)?;
-        let mask = Mask::of(&solid, &grid, rule, max_grid_memory(), &interrupt)?;
-        occupancy_ret(&mask.into_model(grid, max_grid_memory(), &interrupt)?)
+        let solid = Solid::from_stored(args.bytes(0), &Backend)?;
+        let mask = Mask::of(&solid, &grid, rule, &Backend)?;
+        occupancy_ret(&mask.into_model(grid, &Backend)?)
     }
 
     fn ab_voxel_accuracy(args) {

@@ -26,7 +26,7 @@ fn carve(c: &mut Criterion) {
             let name = if exact { "exact" } else { "filled" };
             group.bench_function(format!("{name}, {} mm, azimuth {azimuth}", voxel * 1e3), |b| {
                 let mut o = Occupancy::new(grid);
-                b.iter(|| o.absorb(&patch, 1 << 30, NEVER).unwrap());
+                b.iter(|| o.absorb(&patch, NEVER).unwrap());
             });
         }
     }
@@ -54,7 +54,7 @@ fn steps(c: &mut Criterion) {
         let grid = Grid { exact: true, ..Grid::new(voxel, Grid::EVERYWHERE, 0.0, 5.0).unwrap() };
         group.bench_function(format!("carved exactly, {} mm, azimuth {azimuth}", voxel * 1e3), |b| {
             let mut o = Occupancy::new(grid);
-            b.iter(|| o.absorb(&patch, 1 << 30, NEVER).unwrap());
+            b.iter(|| o.absorb(&patch, NEVER).unwrap());
         });
     }
     group.finish();

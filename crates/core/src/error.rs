@@ -69,6 +69,14 @@ pub enum Error {
         /// The newest version known.
         known: u8,
     },
+    /// A value with a part that a newer release wrote.
+    #[error("{ty} holds section {tag:#x}, which this release does not know")]
+    Section {
+        /// SQL name of the type.
+        ty: &'static str,
+        /// The section's tag.
+        tag: u32,
+    },
     /// More than the design allows.
     #[error("{what} is {value}; the most is {limit}")]
     Limit {
@@ -110,6 +118,24 @@ pub enum Error {
         /// What differs.
         reason: String,
     },
+    /// More memory than a setting allows.
+    #[error("{what} would take {} MB; the most is {} MB", needed.div_ceil(1 << 20), limit >> 20)]
+    Memory {
+        /// Whose memory.
+        what: &'static str,
+        /// Bytes that there would be.
+        needed: usize,
+        /// Bytes that there may be.
+        limit: usize,
+        /// What to change.
+        hint: &'static str,
+    },
+    /// More memory than the system has to give.
+    #[error("out of memory: the system has no {} MB more", bytes.div_ceil(1 << 20))]
+    OutOfMemory {
+        /// Bytes that were asked for.
+        bytes: usize,
+    },
     /// The caller asked to stop.
     #[error("interrupted")]
     Interrupted,
@@ -125,7 +151,7 @@ impl Error {
             Self::OpenSurface => {
                 "Ask ab_closedness(solid) first; area, box and verdicts work on open surfaces too.".into()
             }
-            Self::Version { .. } => "Install the newer release: ALTER EXTENSION asbuilt UPDATE.".into(),
+            Self::Version { .. } | Self::Section { .. } => "Install the newer release: ALTER EXTENSION asbuilt UPDATE.".into(),
             Self::Covariance { .. } => {
                 "A covariance is symmetric and has no negative eigenvalue; repair it, or give sd for a diagonal one."
                     .into()
@@ -157,10 +183,8 @@ impl Error {
             Self::Limit { what, .. } if what.contains("offset") => {
                 "Use a coarser quantum, or give coordinates nearer the scanner.".into()
             }
-            Self::Limit { what, .. } if what.contains("voxel grid") => {
-                "Aggregate tile by tile: FROM ab_tiles(box, size) t JOIN scan ON patch && t; or use larger voxels, or raise asbuilt.max_grid_memory."
-                    .into()
-            }
+            Self::Memory { hint, .. } => (*hint).into(),
+            Self::OutOfMemory { .. } => "Give it fewer rows at a time, or the server more memory.".into(),
             Self::Limit { what, .. } if what.contains("union") => {
                 "Join fewer patches; ab_retile(patches) cuts many into tiles of neighbours.".into()
             }

@@ -2,6 +2,7 @@
 //!
 //! Read in this order; each module uses only those above it:
 //!
+//! * [`budget`]: time and memory that long work may take;
 //! * [`num`]: the normal distribution, byte cursors, shortest decimal text;
 //! * [`geometry`]: boxes, triangle meshes ([`geometry::Solid`]), their faces;
 //! * [`uncertain`]: points, lines, planes and poses with covariance, and tests on them;
@@ -15,6 +16,7 @@
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 
+pub mod budget;
 pub mod error;
 pub mod evidence;
 pub mod geometry;
@@ -24,20 +26,7 @@ pub mod uncertain;
 pub mod verify;
 pub mod voxel;
 
+pub use budget::{Budget, Interrupt, NEVER};
 pub use error::{Error, Result};
 
-/// Asked now and then by long work, on any of its threads; `true` means: stop with [`Error::Interrupted`].
-pub type Interrupt<'a> = &'a (dyn Fn() -> bool + Sync);
-
-/// An [`Interrupt`] that never says stop.
-pub const NEVER: Interrupt = &|| false;
-
-/// Turns an [`Interrupt`] that says stop into the error that unwinds the work.
-pub(crate) fn poll(interrupt: Interrupt) -> Result<()> {
-    if interrupt() { Err(Error::Interrupted) } else { Ok(()) }
-}
-
-/// [`poll`] in every `1024`th round of a loop.
-pub(crate) fn poll_now_and_then(round: usize, interrupt: Interrupt) -> Result<()> {
-    if round.is_multiple_of(1024) { poll(interrupt) } else { Ok(()) }
-}
+pub(crate) use budget::{Grow, poll, poll_now_and_then};

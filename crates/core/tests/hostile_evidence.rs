@@ -5,11 +5,14 @@ use asbuilt_core::geometry::Solid;
 use asbuilt_core::num::bytes::Put;
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel};
 
-/// The head of a real value with other counts: one face, then blocks, samples and stations as given.
+/// The head of a real value in layout 3, which has no checksums, with other counts: one face, then blocks, samples and
+/// stations as given.
 fn head(blocks: u32, samples: u32, stations: u32) -> Vec<u8> {
     let cube = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap();
     let evidence = Collector::new(&cube, EvidenceModel::default(), NEVER).unwrap().into_evidence();
-    let mut out = evidence.to_bytes(NEVER).unwrap()[..Evidence::HEADER_LEN].to_vec();
+    let bytes = evidence.to_bytes(NEVER).unwrap();
+    // Behind the first section's tag, length and checksum.
+    let mut out = [&[3], &bytes[1..4], &bytes[16..Evidence::HEADER_LEN]].concat();
     for (i, n) in [1, blocks, samples, stations].into_iter().enumerate() {
         out[8 + 4 * i..12 + 4 * i].copy_from_slice(&n.to_le_bytes());
     }

@@ -1,6 +1,6 @@
 //! Occupancy against brute force: every voxel against every beam, by clipping, sharing no code with the carver.
 
-use asbuilt_core::NEVER;
+use asbuilt_core::{Budget, Error, NEVER};
 use asbuilt_core::geometry::{Aabb, Vec3};
 use asbuilt_core::scan::{Beam, Content, Origins, Patch, Setting};
 use asbuilt_core::voxel::{Grid, Occupancy, State};
@@ -9,7 +9,6 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 const VOXEL: f64 = 0.1;
-const MOST_MEMORY: usize = 1 << 28;
 
 /// Part of a segment inside a box, as a length; negative where it passes by.
 fn length_inside(start: &Vec3, end: &Vec3, b: &Aabb) -> f64 {
@@ -53,7 +52,7 @@ fn scene(seed: u64, centre: Vec3, patches: usize) -> Vec<Vec<u8>> {
 
 fn occupied(grid: Grid, patches: &[Vec<u8>]) -> Occupancy {
     let mut o = Occupancy::new(grid);
-    patches.iter().for_each(|p| o.absorb(p, MOST_MEMORY, NEVER).unwrap());
+    patches.iter().for_each(|p| o.absorb(p, NEVER).unwrap());
     o
 }
 
@@ -153,13 +152,26 @@ fn order_and_parts_do_not_matter() {
     assert!(merged.merge(&Occupancy::new(other), NEVER).is_err());
 }
 
+/// Refuses any large piece.
+struct Tight;
+
+impl Budget for Tight {
+    fn poll(&self) -> Result<(), Error> {
+        Ok(())
+    }
+
+    fn room(&self, bytes: usize) -> Result<(), Error> {
+        if bytes > 1 << 20 { Err(Error::OutOfMemory { bytes }) } else { Ok(()) }
+    }
+}
+
 #[test]
 fn runaway_grids_stop() {
     let patches = scene(5, Vec3::zeros(), 6);
     let mut o = Occupancy::new(Grid::new(0.002, Grid::EVERYWHERE, 0.0, 30.0).unwrap());
-    let stopped = patches.iter().find_map(|p| o.absorb(p, 1 << 20, NEVER).err()).unwrap();
-    assert!(stopped.to_string().contains("memory") && stopped.hint().unwrap().contains("tile"), "{stopped}");
-    assert!(o.memory() < 2 << 20, "{}", o.memory());
+    let stopped = patches.iter().find_map(|p| o.absorb(p, &Tight).err()).unwrap();
+    assert!(matches!(stopped, Error::OutOfMemory { .. }), "{stopped}");
+    assert!(o.sorted(NEVER).unwrap().len() < 1 << 14);
 }
 
 proptest! {

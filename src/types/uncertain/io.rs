@@ -12,7 +12,8 @@ pub fn value<T: Stored<N>, const N: usize>(args: &Args, i: usize) -> T {
 
 /// Returns a value whose numbers are in range; whatever is stored can be read again.
 pub fn ret<T: Stored<N> + Copy, const N: usize>(x: &T) -> Result<Ret> {
-    Ok(Ret::Fixed(x.in_range()?.to_numbers().iter().flat_map(|c| c.to_ne_bytes()).collect()))
+    // Zero has no sign: the text form does not always show it.
+    Ok(Ret::Fixed(x.in_range()?.to_numbers().iter().flat_map(|c| (c + 0.0).to_ne_bytes()).collect()))
 }
 
 fn read<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<Ret> {

@@ -8,7 +8,7 @@ use super::line::line;
 use super::plane::plane;
 use super::point::point;
 use super::{ret, value};
-use crate::pg::{Args, Ret, interrupt, sql_functions};
+use crate::pg::{Args, Backend, Ret, sql_functions};
 
 fn pose(args: &Args, i: usize) -> Pose {
     value(args, i)
@@ -49,9 +49,9 @@ sql_functions! {
     fn ab_pose_inverse(args) { ret(&pose(args, 0).inverse()?) }
 
     fn ab_transform_solid(args) {
-        let (solid, pose) = (Solid::from_stored(args.bytes(0), &interrupt)?, pose(args, 1));
+        let (solid, pose) = (Solid::from_stored(args.bytes(0), &Backend)?, pose(args, 1));
         let vertices = solid.vertices().iter().map(|v| pose.apply(v)).collect();
-        let moved = Solid::interruptible(vertices, solid.triangles().to_vec(), &interrupt)?;
-        Ok(Ret::Bytes(moved.to_bytes(&interrupt)?))
+        let moved = Solid::interruptible(vertices, solid.triangles().to_vec(), &Backend)?;
+        Ok(Ret::Bytes(moved.to_bytes(&Backend)?))
     }
 }

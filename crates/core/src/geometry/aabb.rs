@@ -41,6 +41,11 @@ impl Aabb {
         }
     }
 
+    /// Its corners; bit k of a corner's number tells whether it is the upper one along axis k.
+    pub fn corners(&self) -> [Vec3; 8] {
+        std::array::from_fn(|i| Vec3::from_fn(|k, _| if i >> k & 1 == 1 { self.max[k] } else { self.min[k] }))
+    }
+
     /// The box grown by `margin` on every side.
     pub fn expanded(&self, margin: f64) -> Self {
         Self { min: self.min.map(|v| v - margin), max: self.max.map(|v| v + margin) }
@@ -59,11 +64,6 @@ impl Aabb {
     /// Whether a point lies inside (the border counts).
     pub fn holds(&self, p: &Vec3) -> bool {
         (0..3).all(|i| (self.min[i]..=self.max[i]).contains(&p[i]))
-    }
-
-    /// Whether a point lies in it.
-    pub fn has(&self, p: &Vec3) -> bool {
-        (0..3).all(|k| self.min[k] <= p[k] && p[k] <= self.max[k])
     }
 
     /// Whether `o` lies within this box (touching counts).

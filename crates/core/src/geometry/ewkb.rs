@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::triangulate::triangulate;
 use super::{Solid, Vec3};
 use crate::error::{Error, Result};
 use crate::num::bytes::{Put, Reader};
@@ -18,10 +19,7 @@ const POLYHEDRAL_SURFACE: u32 = 15;
 const TIN: u32 = 16;
 const TRIANGLE: u32 = 17;
 
-/// Most corners of one face: cutting one that is not simple into triangles can take the cube of them, and is not
-/// interrupted.
-const MAX_CORNERS: usize = 1000;
-/// The triangles of a face cover its area to this share, or it is refused: its rings cross each other.
+/// The triangles of a face cover its area to this share, or it is refused: a hole beside it, or a face that is not plane.
 const AREA_TOLERANCE: f64 = 0.01;
 
 /// How a surface is written.
@@ -59,17 +57,17 @@ impl Solid {
     }
 
     /// Reads POLYHEDRALSURFACE Z, TIN Z, MULTIPOLYGON Z, POLYGON Z or TRIANGLE Z in EWKB or ISO WKB. Faces of more than
-    /// three corners are cut into triangles (ear clipping); corners with the same coordinates become one vertex.
+    /// three corners are cut into triangles; corners with the same coordinates become one vertex.
     pub fn from_ewkb(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
         let mut cursor = Cursor { r: Reader::new(bytes, TY), big_endian: false };
         let mut mesh = Mesh::default();
         match cursor.head()? {
-            ty @ (POLYGON | TRIANGLE) => mesh.add_face(&mut cursor, ty)?,
+            ty @ (POLYGON | TRIANGLE) => mesh.add_face(&mut cursor, ty, interrupt)?,
             MULTIPOLYGON | POLYHEDRAL_SURFACE | TIN => {
                 for i in 0..cursor.u32()? {
                     poll_now_and_then(i as usize, interrupt)?;
                     match cursor.head()? {
-                        ty @ (POLYGON | TRIANGLE) => mesh.add_face(&mut cursor, ty)?,
+                        ty @ (POLYGON | TRIANGLE) => mesh.add_face(&mut cursor, ty, interrupt)?,
                         other => return Err(cursor.r.bad(format!("a face of geometry type {other}"))),
                     }
                 }
@@ -124,7 +122,10 @@ impl Cursor<'_> {
     /// A ring without its closing point.
     fn ring(&mut self) -> Result<Vec<Vec3>> {
         let n = self.u32()? as usize;
-        check_corners(n)?;
+        // Points are read below; more than there are bytes for would only be asked memory for.
+        if n > self.r.remaining() / 24 {
+            return Err(self.r.bad(format!("a ring of {n} points that is cut short")));
+        }
         if n < 3 {
             return Err(self.r.bad(format!("a ring of {n} points")));
         }
@@ -137,14 +138,6 @@ impl Cursor<'_> {
         }
         Ok(ring)
     }
-}
-
-fn check_corners(n: usize) -> Result<()> {
-    if n <= MAX_CORNERS {
-        return Ok(());
-    }
-    let (value, limit) = (n.to_string(), MAX_CORNERS.to_string());
-    Err(Error::Limit { what: "the number of corners of one face", value, limit })
 }
 
 /// A mesh in the making.
@@ -166,7 +159,7 @@ impl Mesh {
     }
 
     /// Adds the polygon or triangle whose head was read.
-    fn add_face(&mut self, cursor: &mut Cursor, ty: u32) -> Result<()> {
+    fn add_face(&mut self, cursor: &mut Cursor, ty: u32, interrupt: Interrupt) -> Result<()> {
         let rings = cursor.u32()?;
         let mut corners = Vec::new();
         let mut holes = Vec::new();
@@ -174,30 +167,37 @@ impl Mesh {
             if i > 0 {
                 holes.push(corners.len());
             }
+            poll_now_and_then(i as usize, interrupt)?;
             corners.extend(cursor.ring()?);
-            check_corners(corners.len())?;
         }
         let outer = holes.first().copied().unwrap_or(corners.len());
         if ty == TRIANGLE && corners.len() != 3 {
             return Err(cursor.r.bad(format!("a triangle of {} corners", corners.len())));
         }
         let whole = corners.len() == 3 && holes.is_empty();
-        let cut = if whole { vec![0, 1, 2] } else { ears(&corners, &holes, outer) };
+        let enclosed = enclosed(&corners, &holes);
+        let cut = if whole {
+            vec![[0, 1, 2]]
+        } else {
+            triangulate(&corners, &holes, &normal(&corners[..outer]), interrupt)?.ok_or_else(|| bad(&corners))?
+        };
         let area = |t: &[usize; 3]| {
             let [a, b, c] = t.map(|i| corners[i]);
             (b - a).cross(&(c - a)).norm()
         };
-        let covered: f64 = cut.as_chunks().0.iter().map(area).sum();
-        let enclosed = enclosed(&corners, &holes);
+        let covered: f64 = cut.iter().map(area).sum();
         if cut.is_empty() || (covered - enclosed).abs() > AREA_TOLERANCE * enclosed {
-            let reason =
-                format!("a face of {} corners that encloses nothing, is not plane or crosses itself", corners.len());
-            return Err(cursor.r.bad(reason));
+            return Err(bad(&corners));
         }
         let numbers: Vec<u32> = corners.into_iter().map(|c| self.number(c)).collect();
-        self.triangles.extend(cut.as_chunks::<3>().0.iter().map(|t| t.map(|i| numbers[i])));
+        self.triangles.extend(cut.iter().map(|t| t.map(|i| numbers[i])));
         Ok(())
     }
+}
+
+fn bad(corners: &[Vec3]) -> Error {
+    let n = corners.len();
+    Error::binary(TY, format!("a face of {n} corners that encloses nothing, is not plane or crosses itself"))
 }
 
 /// Twice the area inside the outer ring and outside the holes, by Newell's normals.
@@ -213,27 +213,6 @@ fn enclosed(corners: &[Vec3], holes: &[usize]) -> f64 {
 fn normal(ring: &[Vec3]) -> Vec3 {
     let turn = |i: usize| (ring[i] - ring[0]).cross(&(ring[(i + 1) % ring.len()] - ring[0]));
     (0..ring.len()).map(turn).sum()
-}
-
-/// Corner numbers of triangles that fill a plane polygon, turning as its outer ring does.
-fn ears(corners: &[Vec3], holes: &[usize], outer: usize) -> Vec<usize> {
-    let normal = normal(&corners[..outer]);
-    let dropped = normal.iamax();
-    let flat: Vec<f64> = corners
-        .iter()
-        .flat_map(|c| {
-            let c = c - corners[0];
-            [c[(dropped + 1) % 3], c[(dropped + 2) % 3]]
-        })
-        .collect();
-    let mut cut = earcutr::earcut(&flat, holes, 2).unwrap_or_default();
-    for t in cut.as_chunks_mut::<3>().0 {
-        let [a, b, c] = t.map(|i| corners[i]);
-        if (b - a).cross(&(c - a)).dot(&normal) < 0.0 {
-            t.swap(1, 2);
-        }
-    }
-    cut
 }
 
 #[cfg(test)]
@@ -349,7 +328,7 @@ mod tests {
 
         /// Star-shaped polygons, convex or not: the triangles fill them.
         #[test]
-        fn ears_fill_the_polygon(radii in prop::collection::vec(0.2..3.0f64, 3..40), tilt in -1.0..1.0f64) {
+        fn triangles_fill_the_polygon(radii in prop::collection::vec(0.2..3.0f64, 3..40), tilt in -1.0..1.0f64) {
             let n = radii.len();
             let corner = |(k, r): (usize, &f64)| {
                 let a = std::f64::consts::TAU * k as f64 / n as f64;
@@ -358,8 +337,8 @@ mod tests {
             let corners: Vec<Vec3> = radii.iter().enumerate().map(corner).collect();
             let turn = |i: usize| corners[i].cross(&corners[(i + 1) % n]);
             let expected = 0.5 * (0..n).map(turn).sum::<Vec3>().dot(&Vec3::new(-tilt, 0.0, 1.0).normalize());
-            let cut = ears(&corners, &[], n);
-            let area: f64 = cut.as_chunks::<3>().0.iter().map(|t| {
+            let cut = triangulate(&corners, &[], &normal(&corners), NEVER).unwrap().unwrap();
+            let area: f64 = cut.iter().map(|t| {
                 let [a, b, c] = t.map(|i| corners[i]);
                 0.5 * (b - a).cross(&(c - a)).dot(&Vec3::new(-tilt, 0.0, 1.0).normalize())
             }).sum();

@@ -10,6 +10,7 @@ mod hilbert;
 mod orient;
 mod solid;
 pub mod split;
+mod triangulate;
 mod weld;
 
 pub use aabb::Aabb;

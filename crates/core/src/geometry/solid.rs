@@ -5,14 +5,17 @@ use super::weld::weld;
 use super::{Aabb, Closedness, Vec3};
 use crate::error::{Error, Result};
 use crate::num::bytes::{Put, Reader};
-use crate::{Interrupt, NEVER, poll, poll_now_and_then};
+use crate::num::sections::{self, BODY, HEADER, begin, header_end, put_section};
+use crate::{Grow, Interrupt, NEVER, poll, poll_now_and_then};
 
 const TY: &str = "ab_solid";
 
 /// A triangle mesh, world coordinates in metres, triangles counter-clockwise seen from outside.
 ///
-/// Byte layout, little-endian, version 1: version u8, `'S'` u8, closedness u8, 0 u8, vertex count u32, triangle
-/// count u32, checksum u32, box 6×f64, area f64, volume f64 (NaN when open), vertices 3×f64, triangles 3×u32.
+/// Stored as a container of sections (`num/sections.rs`), version 2, letter `'S'`, whose first note is the closedness. The
+/// header's content, little-endian: vertex count u32, triangle count u32, box 6×f64, area f64, volume f64 (NaN when open); the
+/// body: vertices 3×f64, triangles 3×u32. Version 1 is read: the letter, closedness u8, 0 u8, both counts, CRC-32 of the body
+/// u32, the rest of the header, the body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
     vertices: Vec<Vec3>,
@@ -25,9 +28,11 @@ pub struct Solid {
 
 impl Solid {
     /// Layout version written by this release.
-    pub const VERSION: u8 = 1;
-    /// Bytes that suffice for [`Solid::header_bounds`].
-    pub const HEADER_LEN: usize = 80;
+    pub const VERSION: u8 = 2;
+    /// Bytes that suffice for [`Solid::header`], whatever the version.
+    pub const HEADER_LEN: usize = header_end(72);
+    /// Bytes of the header of version 1.
+    const FLAT_HEADER_LEN: usize = 80;
     /// Most vertices or triangles of one solid; keeps a value within PostgreSQL's 1 GB.
     pub const MAX_ELEMENTS: usize = 20_000_000;
 
@@ -61,10 +66,9 @@ impl Solid {
     /// A cuboid between two corners, 12 triangles.
     pub fn cuboid(min: [f64; 3], max: [f64; 3]) -> Result<Self> {
         let b = Aabb::new(min, max)?;
-        let corner = |m: usize| Vec3::from_fn(|i, _| if m >> i & 1 == 1 { b.max[i] } else { b.min[i] });
         let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
         let triangles = quads.iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]).collect();
-        Self::new((0..8).map(corner).collect(), triangles)
+        Self::new(b.corners().to_vec(), triangles)
     }
 
     /// An upright cylinder on `foot`, its circle inscribed by `sections` chords.
@@ -128,34 +132,42 @@ impl Solid {
 
     /// Checksum over vertices and triangles: tells two geometries apart.
     pub fn fingerprint(&self, interrupt: Interrupt) -> Result<u32> {
-        checksum(&self.payload(interrupt)?, interrupt)
+        let mut payload = Vec::new();
+        payload.grow(self.payload_len(), interrupt)?;
+        self.put_payload(&mut payload, interrupt)?;
+        checksum(&payload, interrupt)
     }
 
-    fn payload(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
-        let mut p = Vec::with_capacity(24 * self.vertices.len() + 12 * self.triangles.len());
+    fn payload_len(&self) -> usize {
+        24 * self.vertices.len() + 12 * self.triangles.len()
+    }
+
+    fn put_payload(&self, out: &mut Vec<u8>, interrupt: Interrupt) -> Result<()> {
         for (i, v) in self.vertices.iter().enumerate() {
             poll_now_and_then(i, interrupt)?;
-            p.put_vec3(v);
+            out.put_vec3(v);
         }
         for (i, t) in self.triangles.iter().enumerate() {
             poll_now_and_then(i, interrupt)?;
-            t.iter().for_each(|&i| p.put_u32(i));
+            t.iter().for_each(|&i| out.put_u32(i));
         }
-        Ok(p)
+        Ok(())
     }
 
     /// The stored and transmitted form.
     pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
-        let payload = self.payload(interrupt)?;
-        let mut out = Vec::with_capacity(Self::HEADER_LEN + payload.len());
-        out.put(&[Self::VERSION, b'S', self.closedness as u8, 0]);
-        out.put_u32(self.vertices.len() as u32);
-        out.put_u32(self.triangles.len() as u32);
-        out.put_u32(checksum(&payload, interrupt)?);
-        self.bounds.min.iter().chain(&self.bounds.max).for_each(|&c| out.put_f64(c));
-        out.put_f64(self.area);
-        out.put_f64(self.volume);
-        out.put(&payload);
+        let mut out = Vec::new();
+        out.grow(Self::HEADER_LEN + 12 + self.payload_len(), interrupt)?;
+        begin(Self::VERSION, b'S', [self.closedness as u8, 0], &mut out);
+        put_section(HEADER, &mut out, interrupt, |out| {
+            out.put_u32(self.vertices.len() as u32);
+            out.put_u32(self.triangles.len() as u32);
+            self.bounds.min.iter().chain(&self.bounds.max).for_each(|&c| out.put_f64(c));
+            out.put_f64(self.area);
+            out.put_f64(self.volume);
+            Ok(())
+        })?;
+        put_section(BODY, &mut out, interrupt, |out| self.put_payload(out, interrupt))?;
         Ok(out)
     }
 
@@ -174,21 +186,18 @@ impl Solid {
     }
 
     fn mesh_of(bytes: &[u8], interrupt: Interrupt) -> Result<(Vec<Vec3>, Vec<[u32; 3]>)> {
-        let (mut r, n_vertices, n_triangles, expected) = Self::open(bytes)?;
-        r.take(Self::HEADER_LEN - 16)?;
+        let (_, n_vertices, n_triangles) = Self::open(bytes)?;
+        let mut r = Reader::new(Self::payload_of(bytes, interrupt)?, TY);
         if r.remaining() as u64 != 24 * n_vertices as u64 + 12 * n_triangles as u64 {
             return Err(r.bad(format!("{n_vertices} vertices and {n_triangles} triangles do not fill its length")));
         }
-        let payload = r.clone().take(r.remaining())?;
-        if checksum(payload, interrupt)? != expected {
-            return Err(Error::corrupted(TY, "the checksum does not match"));
-        }
-        let mut vertices = Vec::with_capacity(n_vertices);
+        let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+        vertices.grow(n_vertices, interrupt)?;
         for i in 0..n_vertices {
             poll_now_and_then(i, interrupt)?;
             vertices.push(r.vec3()?);
         }
-        let mut triangles = Vec::with_capacity(n_triangles);
+        triangles.grow(n_triangles, interrupt)?;
         for i in 0..n_triangles {
             poll_now_and_then(i, interrupt)?;
             triangles.push([r.u32()?, r.u32()?, r.u32()?]);
@@ -198,14 +207,15 @@ impl Solid {
 
     /// Box, area, volume and closedness from the first [`Solid::HEADER_LEN`] bytes alone.
     pub fn header(bytes: &[u8]) -> Result<SolidHeader> {
-        let (mut r, vertices, triangles, _) = Self::open(bytes)?;
+        let (mut r, vertices, triangles) = Self::open(bytes)?;
         let closedness = Closedness::from_u8(bytes[2]).ok_or_else(|| r.bad("unknown closedness"))?;
         let (min, max) = (r.vec3()?, r.vec3()?);
         let bounds = Aabb { min: min.into(), max: max.into() };
         Ok(SolidHeader { bounds, area: r.f64()?, volume: r.f64()?, closedness, vertices, triangles })
     }
 
-    fn open(bytes: &[u8]) -> Result<(Reader<'_>, usize, usize, u32)> {
+    /// Numbers of vertices and triangles, and what follows them in the header.
+    fn open(bytes: &[u8]) -> Result<(Reader<'_>, usize, usize)> {
         let mut r = Reader::new(bytes, TY);
         let version = r.u8()?;
         if r.u8()? != b'S' {
@@ -215,8 +225,29 @@ impl Solid {
             return Err(Error::Version { ty: TY, found: version, known: Self::VERSION });
         }
         r.take(2)?;
-        let (v, t, c) = (r.u32()? as usize, r.u32()? as usize, r.u32()?);
-        Ok((r, v, t, c))
+        let is_flat = version == 1;
+        let mut r = if is_flat { r } else { sections::header(bytes, TY, NEVER)? };
+        let (vertices, triangles) = (r.u32()? as usize, r.u32()? as usize);
+        if is_flat {
+            r.u32()?;
+        }
+        Ok((r, vertices, triangles))
+    }
+
+    /// Vertices and triangles as they are stored, their checksum checked.
+    fn payload_of<'a>(bytes: &'a [u8], interrupt: Interrupt) -> Result<&'a [u8]> {
+        if bytes.first() == Some(&Self::VERSION) {
+            return sections::read(bytes, TY, [HEADER, BODY], interrupt).map(|[_, body]| body);
+        }
+        let mut r = Reader::new(bytes, TY);
+        let (_, expected) = (r.take(12)?, r.u32()?);
+        r.take(Self::FLAT_HEADER_LEN - 16)?;
+        let payload = r.take(r.remaining())?;
+        if checksum(payload, interrupt)? == expected {
+            Ok(payload)
+        } else {
+            Err(Error::corrupted(TY, "the checksum does not match"))
+        }
     }
 }
 

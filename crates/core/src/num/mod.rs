@@ -1,9 +1,10 @@
-//! Small numerical tools: [`normal`] and [`chi_square`] distribution, order [`stats`], interruptible [`sort`], [`bytes`] cursors, decimal
-//! and hexadecimal [`text`].
+//! Small numerical tools: [`normal`] and [`chi_square`] distribution, order [`stats`], interruptible [`sort`], [`bytes`] cursors,
+//! stored values as [`sections`], decimal and hexadecimal [`text`].
 
 pub mod bytes;
 pub mod chi_square;
 pub mod normal;
+pub(crate) mod sections;
 pub mod sort;
 pub mod stats;
 pub mod text;

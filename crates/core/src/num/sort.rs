@@ -1,6 +1,6 @@
 //! Long sorts that can be interrupted.
 
-use crate::{Interrupt, Result, poll, poll_now_and_then};
+use crate::{Grow, Interrupt, Result, poll, poll_now_and_then};
 
 /// Items sorted in one go, a few milliseconds.
 const RUN: usize = 1 << 16;
@@ -13,7 +13,8 @@ pub fn sort<T: Copy + Ord>(items: &mut Vec<T>, interrupt: Interrupt) -> Result<(
         run.sort_unstable();
     }
     let mut width = RUN;
-    let mut merged = Vec::with_capacity(if items.len() > RUN { items.len() } else { 0 });
+    let mut merged = Vec::new();
+    merged.grow(if items.len() > RUN { items.len() } else { 0 }, interrupt)?;
     while width < items.len() {
         merged.clear();
         for pair in items.chunks(2 * width) {

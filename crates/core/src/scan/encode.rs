@@ -55,7 +55,7 @@ pub fn encode(setting: &Setting, content: &Content) -> Result<(Header, Vec<u8>)>
     let no_origin = if setting.origins == Origins::Unknown { Header::FLAG_NO_ORIGIN } else { 0 };
     let no_returns = if all_returned { 0 } else { Header::FLAG_NO_RETURNS };
     let flags = content.plane_flags() | no_origin | no_returns;
-    let header = describe(flags, setting, &quanta.restored(content, setting.quantum), &payload)?;
+    let header = describe(flags, setting, &quanta.restored(content, setting.quantum))?;
     Ok((header, payload))
 }
 
@@ -161,7 +161,7 @@ impl Quanta {
 }
 
 /// The header of beams as a reader sees them.
-pub fn describe(flags: u8, setting: &Setting, content: &Content, payload: &[u8]) -> Result<Header> {
+pub fn describe(flags: u8, setting: &Setting, content: &Content) -> Result<Header> {
     let Setting { origins, station, origin, step, quantum } = *setting;
     let returned = || (0..content.len()).filter(|&i| content.beams[i].returned);
     let world: Vec<Vec3> = returned().map(|i| origin + content.end(i)).collect();
@@ -175,8 +175,6 @@ pub fn describe(flags: u8, setting: &Setting, content: &Content, payload: &[u8])
         flags,
         beams: content.len() as u32,
         returns: world.len() as u32,
-        payload_len: payload.len() as u32,
-        checksum: crc32fast::hash(payload),
         range,
         step: step as f32,
         station,

@@ -1,9 +1,11 @@
 //! What a patch tells without its payload.
 
 use super::{Cone, Setting};
+use crate::NEVER;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::num::bytes::{Put, Reader};
+use crate::num::sections::{self, BODY, HEADER, begin, header_end, put_section};
 
 pub(super) const TY: &str = "ab_scan";
 
@@ -26,9 +28,11 @@ pub enum Origins {
 
 /// Header of a patch: fixed size, readable alone.
 ///
-/// Byte layout, little-endian: version u8 (2 where a plane of version 2 is there, else 1), `'P'` u8, flags u8, 0 u8, beams
-/// u32, returns u32, payload length u32, payload checksum u32, half-angle f32, step f32, range min and max f32, (pad) u32,
-/// station i64, origin 3×f64, quantum f64, point box 6×f64, hull 6×f64, axis 3×f64.
+/// A container of sections (`num/sections.rs`), version 3, whose first note are the flags. The header's content,
+/// little-endian: beams u32, returns u32, half-angle f32, step f32, range min and max f32, station i64, origin 3×f64, quantum
+/// f64, point box 6×f64, hull 6×f64, axis 3×f64. Versions 1 (without planes) and 2 are read: flags u8 and 0 u8 after the
+/// letter, then beams, returns, payload length and CRC-32 u32, half-angle, step, range f32, (pad) u32, the rest as now, and the
+/// payload.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Header {
     /// See the `FLAG_` constants.
@@ -37,10 +41,6 @@ pub struct Header {
     pub beams: u32,
     /// Beams with a return.
     pub returns: u32,
-    /// Bytes after the header.
-    pub payload_len: u32,
-    /// CRC-32 of the payload.
-    pub checksum: u32,
     /// Smallest and largest range of a return, metres; `[0, 0]` when there is none.
     pub range: [f32; 2],
     /// Angle between neighbouring beams, radians; for points without origin their spacing in metres.
@@ -60,10 +60,14 @@ pub struct Header {
 }
 
 impl Header {
-    /// Newest layout version that this release reads and writes.
-    pub const VERSION: u8 = 2;
-    /// Bytes of a header.
-    pub const LEN: usize = 200;
+    /// Newest layout version that this release reads, and writes.
+    pub const VERSION: u8 = 3;
+    /// Bytes of its content in the header's section.
+    const CONTENT: usize = 184;
+    /// Bytes that suffice for [`Header::read`], whatever the version.
+    pub const LEN: usize = header_end(Self::CONTENT);
+    /// Bytes of a header of versions 1 and 2.
+    const FLAT_LEN: usize = 200;
     /// Some beams have no return.
     pub const FLAG_NO_RETURNS: u8 = 1;
     /// The points have no origin: [`Origins::Unknown`].
@@ -77,10 +81,6 @@ impl Header {
     /// Flags of version 1; the others make a patch one of version 2.
     const FIRST_FLAGS: u8 = Self::FLAG_NO_RETURNS | Self::FLAG_NO_ORIGIN;
     const KNOWN_FLAGS: u8 = 31;
-
-    fn version(&self) -> u8 {
-        if self.flags & !Self::FIRST_FLAGS == 0 { 1 } else { 2 }
-    }
 
     /// Where the beams start.
     pub fn origins(&self) -> Origins {
@@ -104,7 +104,7 @@ impl Header {
         let boxes = [(&self.points, &o.points), (&self.hull, &o.hull)];
         let same_boxes =
             boxes.iter().all(|(a, b)| (0..3).all(|i| near(a.min[i], b.min[i]) && near(a.max[i], b.max[i])));
-        let exact = |h: &Self| (h.flags, h.beams, h.returns, h.payload_len, h.checksum, h.station);
+        let exact = |h: &Self| (h.flags, h.beams, h.returns, h.station);
         exact(self) == exact(o)
             && same_boxes
             && (0..2).all(|i| near_f32(f64::from(self.range[i]), f64::from(o.range[i])))
@@ -112,20 +112,22 @@ impl Header {
             && near_f32(self.cone.half_angle, o.cone.half_angle)
     }
 
-    pub(super) fn write(&self, out: &mut Vec<u8>) {
-        out.put(&[self.version(), b'P', self.flags, 0]);
-        [self.beams, self.returns, self.payload_len, self.checksum].iter().for_each(|&v| out.put_u32(v));
-        out.put_f32(self.cone.half_angle as f32);
-        out.put_f32(self.step);
-        self.range.iter().for_each(|&v| out.put_f32(v));
-        out.put_u32(0);
-        out.put_i64(self.station);
-        out.put_vec3(&self.origin);
-        out.put_f64(self.quantum);
-        for b in [&self.points, &self.hull] {
-            b.min.iter().chain(&b.max).for_each(|&c| out.put_f64(c));
-        }
-        out.put_vec3(&self.cone.axis);
+    pub(super) fn write(&self, out: &mut Vec<u8>) -> Result<()> {
+        begin(Self::VERSION, b'P', [self.flags, 0], out);
+        put_section(HEADER, out, NEVER, |out| {
+            [self.beams, self.returns].iter().for_each(|&v| out.put_u32(v));
+            out.put_f32(self.cone.half_angle as f32);
+            out.put_f32(self.step);
+            self.range.iter().for_each(|&v| out.put_f32(v));
+            out.put_i64(self.station);
+            out.put_vec3(&self.origin);
+            out.put_f64(self.quantum);
+            for b in [&self.points, &self.hull] {
+                b.min.iter().chain(&b.max).for_each(|&c| out.put_f64(c));
+            }
+            out.put_vec3(&self.cone.axis);
+            Ok(())
+        })
     }
 
     /// Reads a header from the first [`Header::LEN`] bytes (or more) of a patch.
@@ -144,12 +146,37 @@ impl Header {
         if flags & !known != 0 || flags & origins == origins {
             return Err(r.bad(format!("flags {flags:#04x}")));
         }
+        if version < 3 { Self::read_flat(flags, r) } else { Self::read_content(flags, sections::header(bytes, TY, NEVER)?) }
+    }
+
+    /// From the content of its section on.
+    fn read_content(flags: u8, mut r: Reader) -> Result<Self> {
+        let [beams, returns] = [r.u32()?, r.u32()?];
+        let half_angle = f64::from(r.f32()?);
+        let step = r.f32()?;
+        let range = [r.f32()?, r.f32()?];
+        Self::read_places(flags, [beams, returns], half_angle, step, range, r)
+    }
+
+    /// Versions 1 and 2, from behind the flags on.
+    fn read_flat(flags: u8, mut r: Reader) -> Result<Self> {
         r.u8()?;
-        let [beams, returns, payload_len, checksum] = [r.u32()?, r.u32()?, r.u32()?, r.u32()?];
+        let [beams, returns, _, _] = [r.u32()?, r.u32()?, r.u32()?, r.u32()?];
         let half_angle = f64::from(r.f32()?);
         let step = r.f32()?;
         let range = [r.f32()?, r.f32()?];
         r.u32()?;
+        Self::read_places(flags, [beams, returns], half_angle, step, range, r)
+    }
+
+    fn read_places(
+        flags: u8,
+        [beams, returns]: [u32; 2],
+        half_angle: f64,
+        step: f32,
+        range: [f32; 2],
+        mut r: Reader,
+    ) -> Result<Self> {
         let station = r.i64()?;
         let origin = r.vec3()?;
         let quantum = r.f64()?;
@@ -157,20 +184,22 @@ impl Header {
         let (points, hull) = (aabb()?, aabb()?);
         let axis = r.vec3()?;
         let cone = Cone { axis, half_angle };
-        Ok(Self {
-            flags,
-            beams,
-            returns,
-            payload_len,
-            checksum,
-            range,
-            step,
-            station,
-            origin,
-            quantum,
-            points,
-            hull,
-            cone,
-        })
+        Ok(Self { flags, beams, returns, range, step, station, origin, quantum, points, hull, cone })
+    }
+
+    /// Payload of a patch of any version, its checksum checked.
+    pub(super) fn payload(bytes: &[u8]) -> Result<&[u8]> {
+        if bytes.first() == Some(&Self::VERSION) {
+            return sections::read(bytes, TY, [HEADER, BODY], NEVER).map(|[_, body]| body);
+        }
+        let mut r = Reader::new(bytes, TY);
+        r.take(12)?;
+        let [len, checksum] = [r.u32()?, r.u32()?];
+        let payload = bytes.get(Self::FLAT_LEN..).unwrap_or_default();
+        if payload.len() != len as usize {
+            let reason = format!("{} bytes of payload, but the header announces {len}", payload.len());
+            return Err(r.bad(reason));
+        }
+        if crc32fast::hash(payload) == checksum { Ok(payload) } else { Err(r.bad("the checksum does not match")) }
     }
 }

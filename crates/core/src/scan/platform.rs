@@ -27,7 +27,7 @@ pub fn by_origin(header: &Header, content: &Content) -> Result<Vec<(Header, Vec<
             let own: Vec<Beam> = tile.iter().map(|&i| beams[i as usize]).collect();
             let no_returns = if own.iter().all(|b| b.returned) { 0 } else { Header::FLAG_NO_RETURNS };
             let content = Content::of(own);
-            out.push((describe(no_returns, &setting, &content, &[])?, content.beams));
+            out.push((describe(no_returns, &setting, &content)?, content.beams));
         }
     }
     Ok(out)

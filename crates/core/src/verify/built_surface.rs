@@ -92,10 +92,9 @@ impl Built {
         }
         let coherent = surfaces.iter().any(|s| s.coherent);
         let whole = BuiltSurface::of(coherent, &observations.seen, &own, &all, model, interrupt)?;
-        let before =
-            |(s, own): (&Seen, &f32)| own.is_nan() && observations.surface_body(s).is_some_and(|b| b.deviation > 0.0);
-        let before =
-            observations.seen.iter().zip(&own).filter(|x| before(*x)).count() as u64 + observations.before_unseen;
+        let met_before =
+            |(s, own): &(&Seen, &f32)| own.is_nan() && observations.surface_body(s).is_some_and(|b| b.deviation > 0.0);
+        let before = observations.before_unseen + observations.seen.iter().zip(&own).filter(met_before).count() as u64;
         let is_slim = e.samples.is_slim();
         let mut built = Self { observations, own, surfaces, whole, is_slim, before, located: Vec::new() };
         built.locate(e, model, interrupt)?;

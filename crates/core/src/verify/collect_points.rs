@@ -3,7 +3,7 @@
 use nalgebra::Matrix3;
 
 use super::collect::Collector;
-use super::crossing::Crossing;
+use super::crossing::{Crossing, image_rectangle};
 use super::encounter::{self, Seen};
 use super::evidence::{Evidence, Place};
 use super::model::ModelKind;
@@ -104,16 +104,14 @@ impl Collector {
         let station = evidence.station_index(header.station, Place::At(header.origin));
         let Evidence { samples, stations, .. } = evidence;
         let scanner = header.origin - samples.reference;
-        let mut crossing = crossings.iter().map(|c| c.slot as usize).peekable();
-        for slot in 0..view.len() {
-            if slot % 1024 == 0 {
+        let (min, max) = image_rectangle(view, &around.corners().map(|c| c - header.origin));
+        for (i, slot) in view.slots_in(min, max).flatten().enumerate() {
+            if i % 1024 == 0 {
                 poll(interrupt)?;
             }
-            if crossing.next_if_eq(&slot).is_some() || view.ranges[slot].is_infinite() {
-                continue;
-            }
             let met = view.directions[slot] * view.ranges[slot] + header.origin;
-            if !around.has(&met) {
+            let aimed = || crossings.binary_search_by_key(&slot, |c| c.slot as usize).is_ok();
+            if view.ranges[slot].is_infinite() || !around.holds(&met) || aimed() {
                 continue;
             }
             let spacing = f64::from(header.step) * view.ranges[slot];

@@ -106,8 +106,9 @@ impl Target {
     }
 }
 
-/// The triangle's rectangle in the image; the whole image when a corner is beside or behind the scanner.
-fn image_rectangle(view: &View, corners: &[Vec3; 3]) -> ([f64; 2], [f64; 2]) {
+/// The rectangle in the image around what has these corners (from the scanner, metres); the whole image when one is
+/// beside or behind it.
+pub(super) fn image_rectangle(view: &View, corners: &[Vec3]) -> ([f64; 2], [f64; 2]) {
     let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for corner in corners {
         let Some(uv) = view.project(corner) else {

@@ -1,9 +1,10 @@
 //! The stored and transmitted form of evidence.
 //!
-//! Layout, little-endian, version 3: version u8, `'E'` u8, two-sided u8, knows its neighbours u8, fingerprint, faces, blocks, samples
-//! and stations u32, reference 3×f64, box 6×f64, model; then per face its normal 3×f64 and its smooth surface (varint, at most its own number); blocks as (face varint, length
+//! A container of sections (`num/sections.rs`), version 4, letter `'E'`, notes: two-sided, knows its neighbours. The header's
+//! content, little-endian: fingerprint, faces, blocks, samples and stations u32, reference 3×f64, box 6×f64, model. The body: per face its normal 3×f64 and its smooth surface (varint, at most its own number); blocks as (face varint, length
 //! u8); samples 3×f32; per station its number i64, origin 3×f64 (NaN: none, infinity: many), step f32, blocks present u32, and per block its number
-//! (varint, difference) and per sample the beams (varint) and, unless 0, five signed varints. Versions 1 and 2 have no surfaces (every face is one) and no steps.
+//! (varint, difference) and per sample the beams (varint) and, unless 0, five signed varints. Versions 1 to
+//! 3 are read: preamble, header and body one after the other, without checksums; versions 1 and 2 have no surfaces (every face is one) and no steps.
 
 use super::evidence::{Evidence, EvidenceHeader, MAX_SUMS, Place, Station};
 use super::model::{EvidenceModel, ModelKind};
@@ -12,28 +13,42 @@ use super::sums::Sums;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::num::bytes::{Put, Reader};
-use crate::{Interrupt, poll_now_and_then};
+use crate::num::sections::{self, BODY, HEADER, begin, header_end, put_section};
+use crate::{Grow, Interrupt, NEVER, poll_now_and_then};
 
 const TY: &str = "ab_evidence";
 
 impl Evidence {
     /// Layout version that this release writes; it reads the ones before too.
-    pub const VERSION: u8 = 3;
-    /// Bytes that suffice for [`Evidence::header`].
-    pub const HEADER_LEN: usize = 24 + 72 + EvidenceModel::LEN;
+    pub const VERSION: u8 = 4;
+    /// Bytes of the header's content.
+    const HEADER_CONTENT: usize = 20 + 72 + EvidenceModel::LEN;
+    /// Bytes that suffice for [`Evidence::header`], whatever the version.
+    pub const HEADER_LEN: usize = header_end(Self::HEADER_CONTENT);
 
     /// The stored and transmitted form; equal evidence has equal bytes.
     pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
         let s = &self.samples;
-        let mut out = Vec::with_capacity(Self::HEADER_LEN + 12 * s.len() * (1 + self.stations.len()));
-        out.put(&[Self::VERSION, b'E', u8::from(s.two_sided), u8::from(self.knows_neighbours)]);
-        out.put_u32(self.fingerprint);
-        for n in [s.normals.len(), s.blocks.len(), s.len(), self.stations.len()] {
-            out.put_u32(n as u32);
-        }
-        out.put_vec3(&s.reference);
-        self.bounds.min.iter().chain(&self.bounds.max).for_each(|&c| out.put_f64(c));
-        self.model.write(&mut out);
+        let mut out = Vec::new();
+        // The sums come on top, by as much as each takes.
+        out.grow(Self::HEADER_LEN + 25 * s.normals.len() + 12 * s.len(), interrupt)?;
+        begin(Self::VERSION, b'E', [u8::from(s.two_sided), u8::from(self.knows_neighbours)], &mut out);
+        put_section(HEADER, &mut out, interrupt, |out| {
+            out.put_u32(self.fingerprint);
+            for n in [s.normals.len(), s.blocks.len(), s.len(), self.stations.len()] {
+                out.put_u32(n as u32);
+            }
+            out.put_vec3(&s.reference);
+            self.bounds.min.iter().chain(&self.bounds.max).for_each(|&c| out.put_f64(c));
+            self.model.write(out);
+            Ok(())
+        })?;
+        put_section(BODY, &mut out, interrupt, |out| self.put_body(out, interrupt))?;
+        Ok(out)
+    }
+
+    fn put_body(&self, out: &mut Vec<u8>, interrupt: Interrupt) -> Result<()> {
+        let s = &self.samples;
         for (n, surface) in s.normals.iter().zip(&s.surface_of_face) {
             out.put_vec3(n);
             out.put_varint(u64::from(*surface));
@@ -45,29 +60,34 @@ impl Evidence {
         }
         s.positions.iter().flatten().for_each(|&c| out.put_f32(c));
         for station in &self.stations {
-            write_station(station, &mut out, interrupt)?;
+            write_station(station, out, interrupt)?;
         }
-        Ok(out)
+        Ok(())
     }
 
     /// The header alone.
     pub fn header(bytes: &[u8]) -> Result<EvidenceHeader> {
-        let (_, h) = read_header(bytes)?;
+        let h = read_header(bytes)?;
         Ok(EvidenceHeader { bounds: h.bounds, samples: h.counts[2], stations: h.counts[3], model: h.model })
     }
 
     /// Reads bytes, foreign ones too: nothing is read past them, and no more is allocated than `MAX_SUMS` allows.
     pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
-        let (mut r, h) = read_header(bytes)?;
+        let h = read_header(bytes)?;
+        let mut r = Reader::new(body(bytes, h.version, interrupt)?, TY);
         let [faces, blocks, samples, stations] = h.counts.map(|c| c as usize);
         let least = 24 * faces as u64 + 2 * blocks as u64 + 12 * samples as u64 + 36 * stations as u64;
         if least > r.remaining() as u64 {
             return Err(r.bad(format!("{samples} samples and {stations} stations do not fit its length")));
         }
-        let (normals, surface_of_face) = read_faces(&mut r, faces, h.version)?;
-        let blocks = read_blocks(&mut r, blocks, faces, samples)?;
-        let position = |i| poll_now_and_then(i, interrupt).and_then(|()| finite_position(&mut r));
-        let positions = (0..samples).map(position).collect::<Result<Vec<_>>>()?;
+        let (normals, surface_of_face) = read_faces(&mut r, faces, h.version, interrupt)?;
+        let blocks = read_blocks(&mut r, blocks, faces, samples, interrupt)?;
+        let mut positions = Vec::new();
+        positions.grow(samples, interrupt)?;
+        for i in 0..samples {
+            poll_now_and_then(i, interrupt)?;
+            positions.push(finite_position(&mut r)?);
+        }
         let samples =
             Samples { reference: h.reference, positions, normals, surface_of_face, blocks, two_sided: h.two_sided };
         let mut room = MAX_SUMS / BLOCK;
@@ -94,7 +114,7 @@ struct RawHeader {
     model: EvidenceModel,
 }
 
-fn read_header(bytes: &[u8]) -> Result<(Reader<'_>, RawHeader)> {
+fn read_header(bytes: &[u8]) -> Result<RawHeader> {
     let mut r = Reader::new(bytes, TY);
     let version = r.u8()?;
     if r.u8()? != b'E' {
@@ -104,6 +124,9 @@ fn read_header(bytes: &[u8]) -> Result<(Reader<'_>, RawHeader)> {
         return Err(Error::Version { ty: TY, found: version, known: Evidence::VERSION });
     }
     let (two_sided, knows_neighbours) = (r.u8()? != 0, r.u8()? != 0);
+    if version > LAST_FLAT {
+        r = sections::header(bytes, TY, NEVER)?;
+    }
     let fingerprint = r.u32()?;
     let counts = [r.u32()?, r.u32()?, r.u32()?, r.u32()?];
     let reference = r.vec3()?;
@@ -113,7 +136,18 @@ fn read_header(bytes: &[u8]) -> Result<(Reader<'_>, RawHeader)> {
         return Err(r.bad("a coordinate is not finite"));
     }
     let model = EvidenceModel::read(&mut r)?;
-    Ok((r, RawHeader { version, two_sided, knows_neighbours, fingerprint, counts, reference, bounds, model }))
+    Ok(RawHeader { version, two_sided, knows_neighbours, fingerprint, counts, reference, bounds, model })
+}
+
+/// Newest version without sections.
+const LAST_FLAT: u8 = 3;
+
+/// What follows the header.
+fn body<'a>(bytes: &'a [u8], version: u8, interrupt: Interrupt) -> Result<&'a [u8]> {
+    if version > LAST_FLAT {
+        return sections::read(bytes, TY, [HEADER, BODY], interrupt).map(|[_, body]| body);
+    }
+    Ok(bytes.get(4 + Evidence::HEADER_CONTENT..).unwrap_or_default())
 }
 
 fn unit(r: &mut Reader) -> Result<Vec3> {
@@ -121,9 +155,12 @@ fn unit(r: &mut Reader) -> Result<Vec3> {
     if (n.norm() - 1.0).abs() < 1e-6 { Ok(n) } else { Err(r.bad("a normal is not a unit vector")) }
 }
 
-fn read_faces(r: &mut Reader, count: usize, version: u8) -> Result<(Vec<Vec3>, Vec<u32>)> {
-    let (mut normals, mut surfaces) = (Vec::with_capacity(count), Vec::with_capacity(count));
+fn read_faces(r: &mut Reader, count: usize, version: u8, interrupt: Interrupt) -> Result<(Vec<Vec3>, Vec<u32>)> {
+    let (mut normals, mut surfaces) = (Vec::new(), Vec::new());
+    normals.grow(count, interrupt)?;
+    surfaces.grow(count, interrupt)?;
     for face in 0..count as u32 {
+        poll_now_and_then(face as usize, interrupt)?;
         normals.push(unit(r)?);
         let surface = if version < 3 { u64::from(face) } else { r.varint()? };
         if surface > u64::from(face) {
@@ -139,10 +176,18 @@ fn finite_position(r: &mut Reader) -> Result<[f32; 3]> {
     if p.iter().all(|c| c.is_finite()) { Ok(p) } else { Err(r.bad("a sample is not finite")) }
 }
 
-fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize) -> Result<Vec<Block>> {
+fn read_blocks(
+    r: &mut Reader,
+    count: usize,
+    faces: usize,
+    samples: usize,
+    interrupt: Interrupt,
+) -> Result<Vec<Block>> {
     let mut start = 0u64;
-    let mut out = Vec::with_capacity(count);
-    for _ in 0..count {
+    let mut out = Vec::new();
+    out.grow(count, interrupt)?;
+    for round in 0..count {
+        poll_now_and_then(round, interrupt)?;
         let (face, len) = (r.varint()?, u32::from(r.u8()?));
         if face >= faces as u64 || len == 0 || len as usize > BLOCK {
             return Err(r.bad(format!("a block of {len} samples on face {face} of {faces}")));
@@ -164,6 +209,8 @@ fn write_station(station: &Station, out: &mut Vec<u8>, interrupt: Interrupt) -> 
     let mut next = 0;
     for (round, (&i, sums)) in station.blocks.iter().enumerate() {
         poll_now_and_then(round, interrupt)?;
+        // A block takes at most so much: five varints of ten bytes and the beams, a sample.
+        out.grow(10 + 56 * sums.len(), interrupt)?;
         out.put_varint(u64::from(i - next));
         next = i + 1;
         for s in sums.iter() {
@@ -231,12 +278,11 @@ fn read_sums(r: &mut Reader, kind: ModelKind) -> Result<Sums> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::NEVER;
     use crate::geometry::Solid;
     use crate::scan::{Beam, Patch};
     use crate::verify::Collector;
 
-    /// Layouts 1 and 2 are layout 3 without the faces' surfaces and the stations' steps.
+    /// Layouts 1 and 2 are layout 3 without the faces' surfaces and the stations' steps, and that is 4 without sections.
     #[test]
     fn older_layouts_are_read_and_add_up_with_new_ones() {
         let column = Solid::cylinder([4.0, 0.0, -1.0], 0.3, 2.0, 16).unwrap();
@@ -250,9 +296,11 @@ mod tests {
         let new = collector.into_evidence();
         let bytes = new.to_bytes(NEVER).unwrap();
         let (faces, s) = (new.samples.normals.len(), &new.samples);
-        let mut old = bytes[..Evidence::HEADER_LEN].to_vec();
+        let [header, mut rest] = sections::read(&bytes, TY, [HEADER, BODY], NEVER).unwrap();
+        let third = [&[3], &bytes[1..4], header, rest].concat();
+        assert_eq!(Evidence::from_bytes(&third, NEVER).unwrap(), new);
+        let mut old = third[..4 + Evidence::HEADER_CONTENT].to_vec();
         old[0] = 1;
-        let mut rest = &bytes[Evidence::HEADER_LEN..];
         for _ in 0..faces {
             old.extend(&rest[..24]);
             rest = &rest[25..];

@@ -4,11 +4,12 @@ use std::fmt::Write;
 
 use super::built_surface::{Built, BuiltSurface};
 use super::evidence::Evidence;
+use super::face::Counts;
 use super::judgement::{
-    Judgement, MAX_OWN_OF_ABSENT, MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_EMPTY, MIN_PRESENT, Reason, Totals,
+    Judgement, MAX_OWN_OF_ABSENT, MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_EMPTY, MIN_PRESENT, Reason,
 };
 use super::model::{EvidenceModel, ModelKind};
-use super::summary::VerdictRule;
+use super::summary::{VerdictRule, best_loa};
 use crate::evidence::Loa;
 use crate::{Interrupt, Result};
 
@@ -18,7 +19,7 @@ impl Evidence {
         let model = self.question(model);
         let built = Built::of(self, &model, interrupt)?;
         let judgement = Judgement::of(&built, &model, rule, interrupt)?;
-        let best_loa = self.summary_of(&built, &judgement, &model, rule, interrupt)?.best_loa;
+        let best_loa = best_loa(&built, &judgement, &model, rule, interrupt)?;
         let totals = &judgement.totals;
         let mut out = format!(
             "{} at {} (±{} mm), model {}, confidence {}\n",
@@ -48,7 +49,7 @@ impl Evidence {
     }
 }
 
-fn what_they_say(totals: &Totals, model: &EvidenceModel) -> String {
+fn what_they_say(totals: &Counts, model: &EvidenceModel) -> String {
     let mut out = format!(
         "of these: {} confirmed, {} refuted, {} open\n",
         percent(totals.confirmed, totals.seen),
@@ -127,7 +128,7 @@ fn decision(judgement: &Judgement, built: &Built, model: &EvidenceModel, rule: &
 fn looking(judgement: &Judgement, surface: usize) -> String {
     let own = judgement.faces.iter().filter(|f| f.smooth_surface as usize == surface);
     let count = own.clone().count();
-    let n = own.max_by_key(|f| f.seen).map_or_else(Default::default, |f| f.normal);
+    let n = own.max_by_key(|f| f.counts.seen).map_or_else(Default::default, |f| f.normal);
     let what = if count == 1 { "the face".into() } else { format!("the surface of {count} faces") };
     format!("{what} that looks towards ({:.2}, {:.2}, {:.2})", n.x, n.y, n.z)
 }

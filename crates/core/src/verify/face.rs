@@ -7,13 +7,9 @@ use crate::geometry::Vec3;
 use crate::num::stats::median_and_spread;
 use crate::{Interrupt, Result, poll, poll_now_and_then};
 
-/// How the samples of one face divide.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FaceReport {
-    /// Outward unit normal.
-    pub normal: Vec3,
-    /// The smooth surface that it is a facet of.
-    pub(super) smooth_surface: u32,
+/// How samples divide, those of one face or of several.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Counts {
     /// All samples.
     pub samples: u64,
     /// Samples enough beams spoke about; confirmed, refuted and open ones add up to these.
@@ -30,6 +26,19 @@ pub struct FaceReport {
     pub beyond: u64,
     /// Samples at which any surface was seen within the search band.
     pub surface: u64,
+    /// Sum over seen samples of the conflict between stations.
+    pub conflict: f64,
+}
+
+/// One face.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FaceReport {
+    /// Outward unit normal.
+    pub normal: Vec3,
+    /// The smooth surface that it is a facet of.
+    pub(super) smooth_surface: u32,
+    /// How its samples divide.
+    pub counts: Counts,
     /// Most of the seen samples follow one course: the built face.
     pub coherent: bool,
     /// Median deviation along the outward normal, metres, and its standard deviation.
@@ -38,14 +47,25 @@ pub struct FaceReport {
     pub random_sd: f64,
     /// Share of each station in that deviation.
     pub(super) stations: Vec<(usize, f64)>,
-    /// Sum over seen samples of the conflict between stations.
-    pub conflict: f64,
 }
 
 /// Part of the confidence that suffices for "in front" once the whole surface agrees: by itself it is discounted.
 const IN_FRONT_SHARE: f64 = 0.8;
 
-impl FaceReport {
+impl Counts {
+    /// Adds those of another face.
+    pub(super) fn add(&mut self, other: &Self) {
+        self.samples += other.samples;
+        self.seen += other.seen;
+        self.confirmed += other.confirmed;
+        self.refuted += other.refuted;
+        self.pierced += other.pierced;
+        self.own += other.own;
+        self.beyond += other.beyond;
+        self.surface += other.surface;
+        self.conflict += other.conflict;
+    }
+
     /// Seen samples that are neither confirmed nor refuted.
     pub fn open(&self) -> u64 {
         self.seen - self.confirmed - self.refuted
@@ -57,9 +77,8 @@ impl Built {
     pub fn faces(&self, model: &EvidenceModel, interrupt: Interrupt) -> Result<Vec<FaceReport>> {
         let count = |(face, located): (usize, &FaceReport)| {
             poll(interrupt)?;
-            let mut report = located.clone();
-            self.count(face, model, &mut report, interrupt)?;
-            Ok(report)
+            let counts = self.count(face, located.counts, model, interrupt)?;
+            Ok(FaceReport { counts, ..located.clone() })
         };
         self.located.iter().enumerate().map(count).collect()
     }
@@ -109,23 +128,16 @@ impl Built {
         Ok(FaceReport {
             normal: e.samples.normals[face],
             smooth_surface,
-            samples: heard.samples,
-            seen: 0,
-            confirmed: 0,
-            refuted: 0,
-            pierced: 0,
-            own: 0,
-            beyond: 0,
-            surface,
+            counts: Counts { samples: heard.samples, surface, ..Counts::default() },
             coherent,
             deviation: location.map(with_sd),
             random_sd,
             stations: heard.shares().collect(),
-            conflict: 0.0,
         })
     }
 
-    fn count(&self, face: usize, model: &EvidenceModel, report: &mut FaceReport, interrupt: Interrupt) -> Result<()> {
+    fn count(&self, face: usize, located: Counts, model: &EvidenceModel, interrupt: Interrupt) -> Result<Counts> {
+        let mut counts = located;
         let tolerance = model.tolerance();
         let run = self.observations.faces[face].clone();
         for (i, (s, own)) in self.observations.seen[run.clone()].iter().zip(&self.own[run]).enumerate() {
@@ -135,14 +147,14 @@ impl Built {
             // A surface in front of the face is no refutation by itself: furniture. One that is the face is.
             let moved = is_own && in_front >= IN_FRONT_SHARE * model.confidence;
             let refuted = moved || mass.empty >= model.confidence;
-            report.seen += 1;
-            report.conflict += f64::from(s.conflict);
-            report.refuted += u64::from(refuted);
-            report.pierced += u64::from(refuted && !is_own);
-            report.confirmed += u64::from(!refuted && mass.occupied >= model.confidence);
-            report.own += u64::from(is_own);
-            report.beyond += u64::from(is_own && f64::from(own.abs()) > tolerance);
+            counts.seen += 1;
+            counts.conflict += f64::from(s.conflict);
+            counts.refuted += u64::from(refuted);
+            counts.pierced += u64::from(refuted && !is_own);
+            counts.confirmed += u64::from(!refuted && mass.occupied >= model.confidence);
+            counts.own += u64::from(is_own);
+            counts.beyond += u64::from(is_own && f64::from(own.abs()) > tolerance);
         }
-        Ok(())
+        Ok(counts)
     }
 }

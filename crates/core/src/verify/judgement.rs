@@ -1,7 +1,7 @@
 //! How the counts of an object's faces become a verdict.
 
 use super::built_surface::{Built, BuiltSurface};
-use super::face::FaceReport;
+use super::face::{Counts, FaceReport};
 use super::model::{EvidenceModel, ModelKind};
 use super::summary::{Verdict, VerdictRule};
 use crate::{Interrupt, Result};
@@ -76,63 +76,29 @@ impl Reason {
 pub(super) struct Judgement {
     pub reason: Reason,
     pub faces: Vec<FaceReport>,
-    pub totals: Totals,
+    pub totals: Counts,
     /// For each smooth surface.
-    pub surfaces: Vec<Totals>,
+    pub surfaces: Vec<Counts>,
     /// For each smooth surface whether too little of it keeps the tolerance.
     displaced: Vec<bool>,
-    /// The place of a slim object is empty, and something that no other object explains stands beside it: itself,
-    /// displaced by its thickness. How far is not known.
-    pub beside: bool,
 }
 
-/// The counts of several faces added up.
-#[derive(Clone, Default)]
-pub(super) struct Totals {
-    pub samples: u64,
-    pub seen: u64,
-    pub confirmed: u64,
-    pub refuted: u64,
-    pub pierced: u64,
-    pub own: u64,
-    pub beyond: u64,
-    surface: u64,
-    pub conflict: f64,
-}
-
-impl Totals {
-    fn add(&mut self, f: &FaceReport) {
-        self.samples += f.samples;
-        self.seen += f.seen;
-        self.confirmed += f.confirmed;
-        self.refuted += f.refuted;
-        self.pierced += f.pierced;
-        self.own += f.own;
-        self.beyond += f.beyond;
-        self.surface += f.surface;
-        self.conflict += f.conflict;
-    }
-
+impl Counts {
     /// Whether enough was seen to judge at all.
-    pub fn cover(&self, rule: &VerdictRule) -> bool {
+    pub(super) fn cover(&self, rule: &VerdictRule) -> bool {
         self.seen > 0
             && self.seen >= MIN_SEEN.min(self.samples)
             && self.seen as f64 >= rule.min_coverage * self.samples as f64
     }
 
-    /// Seen samples that are neither confirmed nor refuted.
-    pub fn open(&self) -> u64 {
-        self.seen - self.confirmed - self.refuted
-    }
-
-    /// Samples that speak for the object where it was drawn; [`Totals::beyond`] show it elsewhere,
-    /// [`Totals::pierced`] that it is not there.
-    pub fn in_place(&self) -> u64 {
+    /// Samples that speak for the object where it was drawn; [`Counts::beyond`] show it elsewhere,
+    /// [`Counts::pierced`] that it is not there.
+    pub(super) fn in_place(&self) -> u64 {
         (self.own - self.beyond).max(self.confirmed)
     }
 
     /// Samples that say one of the three.
-    pub fn decided(&self) -> u64 {
+    pub(super) fn decided(&self) -> u64 {
         self.in_place() + self.beyond + self.pierced
     }
 }
@@ -152,17 +118,15 @@ impl Judgement {
     /// Judges at the tolerance and confidence of `model`.
     pub fn of(built: &Built, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Self> {
         let faces = built.faces(model, interrupt)?;
-        let (mut totals, mut surfaces) = (Totals::default(), vec![Totals::default(); built.surfaces.len()]);
+        let (mut totals, mut surfaces) = (Counts::default(), vec![Counts::default(); built.surfaces.len()]);
         for f in &faces {
-            totals.add(f);
+            totals.add(&f.counts);
             if let Some(surface) = surfaces.get_mut(f.smooth_surface as usize) {
-                surface.add(f);
+                surface.add(&f.counts);
             }
         }
         let displaced = displaced(&surfaces, &totals, built, rule.min_within());
-        let reason = Reason::TooLittleSeen;
-        let mut out = Self { reason, faces, totals, surfaces, displaced, beside: false };
-        out.beside = out.is_beside(built);
+        let mut out = Self { reason: Reason::TooLittleSeen, faces, totals, surfaces, displaced };
         out.reason = out.decide(built, model, rule);
         Ok(out)
     }
@@ -182,7 +146,7 @@ impl Judgement {
             return Reason::TooLittleDecided;
         }
         if self.is_empty() {
-            return if self.beside { Reason::Beside } else { Reason::Empty };
+            return if self.is_beside(built) { Reason::Beside } else { Reason::Empty };
         }
         if let Some(surface) = self.displaced.iter().position(|d| *d) {
             return Reason::Displaced(surface);
@@ -201,6 +165,14 @@ impl Judgement {
         Reason::InPlace
     }
 
+    /// Whether the object stands where its faces tell: surfaces met where an absent object should stand are not its own,
+    /// and what stands beside its place does not tell how far off it is.
+    pub fn stands(&self, built: &Built, rule: &VerdictRule) -> bool {
+        self.verdict() != Verdict::Absent && !self.is_beside(built) && self.totals.cover(rule)
+    }
+
+    /// Whether the place of a slim object is empty, and something that no other object explains stands beside it:
+    /// itself, displaced by its thickness.
     fn is_beside(&self, built: &Built) -> bool {
         built.is_slim && self.is_empty() && built.before as f64 >= MIN_BESIDE * self.totals.pierced as f64
     }
@@ -218,9 +190,9 @@ impl Judgement {
         let any = displaced.contains(&true);
         let judged = |f: &&FaceReport| {
             let d = !any || displaced.get(f.smooth_surface as usize) == Some(&true);
-            d && f.deviation.is_some() && f.surface >= WELL_SEEN_SAMPLES.min(totals.surface)
+            d && f.deviation.is_some() && f.counts.surface >= WELL_SEEN_SAMPLES.min(totals.surface)
         };
-        let well_seen = |f: &FaceReport| counts(f.surface, totals.surface);
+        let well_seen = |f: &FaceReport| counts(f.counts.surface, totals.surface);
         let certainly_off = |f: &FaceReport| {
             f.deviation.map_or(0.0, |(d, sd)| if any || d.abs() > CERTAINLY_OFF * sd { d.abs() } else { 0.0 })
         };
@@ -229,7 +201,7 @@ impl Judgement {
                 .cmp(&b.coherent)
                 .then(well_seen(a).cmp(&well_seen(b)))
                 .then(certainly_off(a).total_cmp(&certainly_off(b)))
-                .then(a.surface.cmp(&b.surface))
+                .then(a.counts.surface.cmp(&b.counts.surface))
         };
         self.faces.iter().filter(judged).max_by(order)
     }
@@ -259,9 +231,9 @@ fn counts(part: u64, whole: u64) -> bool {
 
 /// For each smooth surface whether less than `min_within` of it keeps the tolerance; where that holds of the whole object
 /// although of none of its surfaces, all.
-fn displaced(surfaces: &[Totals], totals: &Totals, built: &Built, min_within: f64) -> Vec<bool> {
-    let off = |s: &BuiltSurface, t: &Totals| t.beyond as f64 > s.allowed_beyond(min_within) * t.own as f64;
-    let each = |(s, t): (&BuiltSurface, &Totals)| counts(t.own, totals.own) && off(s, t);
+fn displaced(surfaces: &[Counts], totals: &Counts, built: &Built, min_within: f64) -> Vec<bool> {
+    let off = |s: &BuiltSurface, t: &Counts| t.beyond as f64 > s.allowed_beyond(min_within) * t.own as f64;
+    let each = |(s, t): (&BuiltSurface, &Counts)| counts(t.own, totals.own) && off(s, t);
     let mut out: Vec<bool> = built.surfaces.iter().zip(surfaces).map(each).collect();
     if !out.contains(&true) && totals.own > 0 && off(&built.whole, totals) {
         out.iter_mut().for_each(|o| *o = true);
@@ -271,7 +243,7 @@ fn displaced(surfaces: &[Totals], totals: &Totals, built: &Built, min_within: f6
 
 /// A smooth surface with a fair share of the object and of what was seen, most of it not there: part of the object was
 /// not built. (Of the facets of a displaced column the lee ones are pierced, of a displaced board the narrow sides.)
-fn mostly_pierced(surface: &Totals, totals: &Totals) -> bool {
+fn mostly_pierced(surface: &Counts, totals: &Counts) -> bool {
     let decided = (surface.confirmed.max(surface.own) + surface.pierced) as f64;
     surface.seen >= WELL_SEEN_SAMPLES
         && surface.samples as f64 >= WELL_SEEN_SHARE * totals.samples as f64

@@ -42,7 +42,7 @@ pub use belief::SampleBelief;
 pub use collect::Collector;
 pub use contribution::Contribution;
 pub use evidence::{Evidence, EvidenceHeader, Place, Station};
-pub use face::FaceReport;
+pub use face::{Counts, FaceReport};
 pub use forecast::PlannedStation;
 pub use intensity::IntensityNoise;
 pub use model::{EvidenceModel, ModelKind};

@@ -189,7 +189,8 @@ impl EvidenceModel {
     pub fn write(&self, out: &mut Vec<u8>) {
         out.put_u32(self.kind as u32 | IntensityNoise::packed(self.intensity));
         out.put_u32(self.loa as u32);
-        self.numbers().iter().for_each(|&x| out.put_f64(x));
+        // Zero has no sign: text and binary forms say the same.
+        self.numbers().iter().for_each(|&x| out.put_f64(x + 0.0));
     }
 
     /// Reads the stored form, checking every range.

@@ -49,8 +49,7 @@ impl Samples {
 
     /// Bytes that the samples on `solid` will take, at least.
     pub fn expected_memory(solid: &Solid, spacing: f64) -> usize {
-        let spacing = Self::effective_spacing(solid, spacing);
-        (solid.area() / (spacing * spacing)) as usize * size_of::<[f32; 3]>()
+        (solid.area() / (spacing * spacing)).min(MAX_SAMPLES) as usize * size_of::<[f32; 3]>()
     }
 
     /// Spreads samples over `solid`, one for about every [`Samples::effective_spacing`]² of its area (m). A solid

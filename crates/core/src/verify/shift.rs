@@ -61,10 +61,12 @@ impl Shift {
     /// `None` when no direction is determined.
     pub fn fit(faces: &[FaceReport], points: &SurfacePoints, model: &EvidenceModel) -> Option<Self> {
         let voting: Vec<&FaceReport> =
-            faces.iter().filter(|f| f.surface >= MIN_SAMPLES && f.deviation.is_some()).collect();
-        let total: f64 = voting.iter().map(|f| f.surface as f64).sum();
-        let looks =
-            voting.iter().map(|f| f.normal * f.normal.transpose() * (f.surface as f64 / total)).sum::<Matrix3<f64>>();
+            faces.iter().filter(|f| f.counts.surface >= MIN_SAMPLES && f.deviation.is_some()).collect();
+        let total: f64 = voting.iter().map(|f| f.counts.surface as f64).sum();
+        let looks = voting
+            .iter()
+            .map(|f| f.normal * f.normal.transpose() * (f.counts.surface as f64 / total))
+            .sum::<Matrix3<f64>>();
         if voting.is_empty() {
             return None;
         }
@@ -183,24 +185,17 @@ impl Solution {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::verify::face::Counts;
 
     fn face(normal: Vec3, deviation: f64, surface: u64) -> FaceReport {
         FaceReport {
             normal,
             smooth_surface: 0,
-            samples: surface,
-            seen: surface,
-            confirmed: 0,
-            refuted: 0,
-            pierced: 0,
-            surface,
-            own: surface,
-            beyond: 0,
+            counts: Counts { samples: surface, seen: surface, surface, own: surface, ..Counts::default() },
             coherent: true,
             deviation: Some((deviation, 0.0009)),
             random_sd: 0.0005,
             stations: vec![(0, 0.5), (1, 0.5)],
-            conflict: 0.0,
         }
     }
 

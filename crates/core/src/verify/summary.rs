@@ -109,24 +109,11 @@ impl Evidence {
         let model = self.question(model);
         let built = Built::of(self, &model, interrupt)?;
         let judgement = Judgement::of(&built, &model, rule, interrupt)?;
-        self.summary_of(&built, &judgement, &model, rule, interrupt)
-    }
-
-    pub(super) fn summary_of(
-        &self,
-        built: &Built,
-        judgement: &Judgement,
-        model: &EvidenceModel,
-        rule: &VerdictRule,
-        interrupt: Interrupt,
-    ) -> Result<Summary> {
-        let totals = &judgement.totals;
-        // Surfaces met where an absent object should stand are not its own; beside its place they do not tell how far off.
-        let stands = judgement.verdict() != Verdict::Absent && !judgement.beside && totals.cover(rule);
+        let (totals, stands) = (&judgement.totals, judgement.stands(&built, rule));
         let seen = totals.seen as f64;
         Ok(Summary {
             verdict: judgement.verdict(),
-            best_loa: if stands { best_loa(built, judgement, model, rule, interrupt)? } else { None },
+            best_loa: best_loa(&built, &judgement, &model, rule, interrupt)?,
             samples: totals.samples,
             coverage: if totals.samples > 0 { seen / totals.samples as f64 } else { 0.0 },
             shares: (totals.seen > 0).then(|| Shares {
@@ -155,13 +142,16 @@ impl Evidence {
 
 /// The finest class that would be confirmed, 95 % of every surface within it (USIBD), and that the survey proves at the
 /// confidence.
-fn best_loa(
+pub(super) fn best_loa(
     built: &Built,
     judgement: &Judgement,
     model: &EvidenceModel,
     rule: &VerdictRule,
     interrupt: Interrupt,
 ) -> Result<Option<Loa>> {
+    if !judgement.stands(built, rule) {
+        return Ok(None);
+    }
     if model.kind == ModelKind::Meyer2022 {
         // Its masses do not know the tolerance.
         return Ok((judgement.verdict() == Verdict::Confirmed).then_some(model.loa));

@@ -7,7 +7,8 @@ use super::occupancy::Occupancy;
 use crate::error::{Error, Result};
 use crate::geometry::Aabb;
 use crate::num::bytes::{Put, Reader};
-use crate::{Interrupt, poll_now_and_then};
+use crate::num::sections::{self, BODY, HEADER, begin, header_end, put_section};
+use crate::{Interrupt, NEVER, poll_now_and_then};
 
 /// A stored tile, by the type's name, its letter and the newest layout version.
 #[derive(Debug, Clone, Copy)]
@@ -33,8 +34,10 @@ pub struct TileHeader {
 }
 
 impl TileHeader {
-    /// Bytes of a header.
-    pub const LEN: usize = 4 + 4 + Grid::LEN + 4 + 24;
+    /// Bytes of the header's content.
+    const CONTENT: usize = Grid::LEN + 4 + 24;
+    /// Bytes that suffice for [`TileHeader::read`], whatever the version.
+    pub const LEN: usize = header_end(Self::CONTENT);
 
     /// The header of an occupancy or of a change, by its letter.
     pub fn read(bytes: &[u8]) -> Result<Self> {
@@ -55,21 +58,34 @@ impl TileHeader {
 }
 
 impl Form {
-    /// Version u8, letter u8, notes 2×u8, CRC-32 of the rest u32 (see [`seal`]); the grid; blocks u32, their span 6×i32.
-    pub fn start(&self, notes: [u8; 2], grid: &Grid, keys: &[[i32; 3]], out: &mut Vec<u8>) {
-        out.put(&[self.version, self.letter, notes[0], notes[1]]);
-        out.put_u32(0);
-        grid.write(out);
-        out.put_u32(keys.len() as u32);
-        for axis in 0..3 {
-            let along = || keys.iter().map(|key| key[axis]);
-            let span = [along().min().unwrap_or(0), along().max().unwrap_or(-1)];
-            span.iter().for_each(|&i| out.put(&i.to_le_bytes()));
-        }
+    /// A container of sections (`num/sections.rs`), version 2; the header's content: the grid; blocks u32, their span 6×i32.
+    /// Version 1 is read: version u8, letter u8, notes 2×u8, CRC-32 of the rest u32, the header's content, the body.
+    pub fn write(
+        &self,
+        notes: [u8; 2],
+        grid: &Grid,
+        keys: &[[i32; 3]],
+        interrupt: Interrupt,
+        body: impl FnOnce(&mut Vec<u8>) -> Result<()>,
+    ) -> Result<Vec<u8>> {
+        let mut out = Vec::new();
+        begin(self.version, self.letter, notes, &mut out);
+        put_section(HEADER, &mut out, interrupt, |out| {
+            grid.write(out);
+            out.put_u32(keys.len() as u32);
+            for axis in 0..3 {
+                let along = || keys.iter().map(|key| key[axis]);
+                let span = [along().min().unwrap_or(0), along().max().unwrap_or(-1)];
+                span.iter().for_each(|&i| out.put(&i.to_le_bytes()));
+            }
+            Ok(())
+        })?;
+        put_section(BODY, &mut out, interrupt, body)?;
+        Ok(out)
     }
 
-    /// The header alone, and what follows it.
-    pub fn open<'a>(&self, bytes: &'a [u8]) -> Result<(Reader<'a>, TileHeader)> {
+    /// The header alone.
+    pub fn header(&self, bytes: &[u8]) -> Result<TileHeader> {
         let mut r = Reader::new(bytes, self.ty);
         let version = r.u8()?;
         if r.u8()? != self.letter {
@@ -79,50 +95,44 @@ impl Form {
             return Err(Error::Version { ty: self.ty, found: version, known: self.version });
         }
         let notes = [r.u8()?, r.u8()?];
-        r.u32()?;
+        if version == 1 {
+            r.u32()?;
+        } else {
+            r = sections::header(bytes, self.ty, NEVER)?;
+        }
         let grid = Grid::read(&mut r)?;
         let blocks = r.u32()?;
         let mut span = [[0; 2]; 3];
         for end in span.iter_mut().flatten() {
             *end = r.u32()? as i32;
         }
-        Ok((r, TileHeader { version, notes, grid, blocks, span }))
+        Ok(TileHeader { version, notes, grid, blocks, span })
     }
 
-    /// [`Form::open`] of bytes whose seal holds.
-    pub fn open_sealed<'a>(&self, bytes: &'a [u8]) -> Result<(Reader<'a>, TileHeader)> {
-        let opened = self.open(bytes)?;
-        if checksum(bytes) != bytes[4..8] {
-            return Err(Error::corrupted(self.ty, "the checksum does not match"));
-        }
-        Ok(opened)
+    /// The header, and the body, whose checksum is checked.
+    pub fn read<'a>(&self, bytes: &'a [u8], interrupt: Interrupt) -> Result<(Reader<'a>, TileHeader)> {
+        let header = self.header(bytes)?;
+        let body = match header.version {
+            1 if flat_checksum(bytes) != bytes[4..8] => {
+                return Err(Error::corrupted(self.ty, "the checksum does not match"));
+            }
+            1 => &bytes[8 + TileHeader::CONTENT..],
+            _ => sections::read(bytes, self.ty, [HEADER, BODY], interrupt)?[1],
+        };
+        Ok((Reader::new(body, self.ty), header))
     }
 }
 
-/// Over everything but itself.
-fn checksum(bytes: &[u8]) -> [u8; 4] {
+/// Of version 1: over everything but itself.
+fn flat_checksum(bytes: &[u8]) -> [u8; 4] {
     let mut hasher = crc32fast::Hasher::new();
     hasher.update(&bytes[..4]);
     hasher.update(&bytes[8..]);
     hasher.finalize().to_le_bytes()
 }
 
-/// Writes the checksum over what is there.
-pub(super) fn seal(bytes: &mut [u8]) {
-    let checksum = checksum(bytes);
-    bytes[4..8].copy_from_slice(&checksum);
-}
-
-/// Most bytes that PostgreSQL stores in a value.
-const MOST_STORED: usize = (1 << 30) - (1 << 10);
-
-/// Fails where a stored form grows too large.
-pub(super) fn check_stored(bytes: &[u8]) -> Result<()> {
-    if bytes.len() <= MOST_STORED {
-        return Ok(());
-    }
-    Err(Error::Limit { what: "the stored form of a voxel grid", value: "over 1 GB".into(), limit: "1 GB".into() })
-}
+/// Most bytes that [`write_key`] and a block of either type write.
+pub(super) const MOST_OF_A_BLOCK: usize = 4096;
 
 /// What a block's first byte says of its number: it lies above the last along z.
 pub(super) const ABOVE_THE_LAST: u8 = 1;

@@ -6,7 +6,7 @@ use rustc_hash::FxBuildHasher;
 
 use super::block::{Block, EDGE};
 use crate::num::sort::sort;
-use crate::{Interrupt, Result, poll_now_and_then};
+use crate::{Grow, Interrupt, Result, poll_now_and_then};
 
 /// Something for every block that holds anything.
 pub type BlockMap<T> = HashMap<[i32; 3], T, FxBuildHasher>;
@@ -46,9 +46,11 @@ pub fn slots(bits: &Bits) -> impl Iterator<Item = usize> {
 
 /// The blocks in the order of their numbers.
 pub fn in_order<'a, T>(blocks: &'a BlockMap<T>, interrupt: Interrupt) -> Result<Vec<([i32; 3], &'a T)>> {
-    let mut keys: Vec<[i32; 3]> = blocks.keys().copied().collect();
+    let (mut keys, mut all) = (Vec::<[i32; 3]>::new(), Vec::new());
+    keys.grow(blocks.len(), interrupt)?;
+    keys.extend(blocks.keys());
     sort(&mut keys, interrupt)?;
-    let mut all = Vec::with_capacity(keys.len());
+    all.grow(keys.len(), interrupt)?;
     for (round, key) in keys.into_iter().enumerate() {
         poll_now_and_then(round, interrupt)?;
         all.push((key, &blocks[&key]));

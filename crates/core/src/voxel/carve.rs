@@ -1,6 +1,6 @@
 //! Beams of patches become occupancy.
 
-use super::block::Block;
+use super::block::{Block, EDGE};
 use super::blocks::block_of;
 use super::grid::Span;
 use super::march::march;
@@ -8,7 +8,7 @@ use super::occupancy::Occupancy;
 use super::slab::{Base, Bundle, Frame, Ray};
 use crate::geometry::Vec3;
 use crate::scan::{Beam, Content, Header, Origins, Patch};
-use crate::{Interrupt, Result, poll};
+use crate::{Grow, Interrupt, Result, poll};
 
 /// Beams that lean at most so far from an axis of the lattice (cosine) are carved together along it.
 const LEAST_COS: f64 = 0.5;
@@ -23,29 +23,34 @@ impl Occupancy {
         header.hull.overlaps(&self.grid.tile.expanded(self.grid.voxel))
     }
 
-    /// Adds what a packed patch says: returns are counted, and what the beams pass on their way is empty. An error where
-    /// the whole would take more than about `most_memory` bytes.
-    pub fn absorb(&mut self, patch: &[u8], most_memory: usize, interrupt: Interrupt) -> Result<()> {
+    /// Adds what a packed patch says: returns are counted, and what the beams pass on their way is empty.
+    pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
         let header = Header::read(patch)?;
         if !self.concerns(&header) {
             return Ok(());
         }
         let (header, content) = Patch::beams_of(patch)?;
         let base = Base::at(self.grid.index(&header.origin)?);
-        let rays = self.count_returns(&header, &content, &base)?;
+        let rays = self.count_returns(&header, &content, &base, interrupt)?;
         if header.origins() != Origins::Unknown {
             let raster = (header.origins() == Origins::One && !self.grid.exact)
                 .then(|| (base.local(&self.grid, &header.origin), f64::from(header.step)));
             let hull = [header.hull.min, header.hull.max].map(|corner| self.grid.index(&corner.into()));
             let [low, high] = [hull[0].clone()?, hull[1].clone()?];
             let span = self.span.common(&Span([0, 1, 2].map(|i| [low[i], high[i] + 1])));
-            self.carve(rays, base, &span, raster, most_memory, interrupt)?;
+            self.carve(rays, base, &span, raster, interrupt)?;
         }
-        self.check_memory(most_memory)
+        Ok(())
     }
 
     /// Counts the returns; the ways that say "empty".
-    fn count_returns(&mut self, header: &Header, content: &Content, base: &Base) -> Result<Vec<Ray>> {
+    fn count_returns(
+        &mut self,
+        header: &Header,
+        content: &Content,
+        base: &Base,
+        interrupt: Interrupt,
+    ) -> Result<Vec<Ray>> {
         let (mut out, mut hits) = (Vec::with_capacity(content.len()), Vec::with_capacity(content.len()));
         // A beam of no length saw nothing; a point whose origin nobody knows may be its patch's.
         let saw = |beam: &Beam| header.origins() == Origins::Unknown || beam.offset != Vec3::zeros();
@@ -60,7 +65,10 @@ impl Occupancy {
             out.extend(way.map(|(way, part)| Ray { start, stop: start + way, part }));
         }
         // Neighbours return from one block, mostly.
-        hits.chunk_by(|a, b| a.0 == b.0).for_each(|run| self.hit_block(run[0].0, run.iter().map(|h| h.1)));
+        for run in hits.chunk_by(|a, b| a.0 == b.0) {
+            let block = self.block(run[0].0, interrupt)?;
+            run.iter().for_each(|(_, slot)| block.hit(*slot, 1));
+        }
         Ok(out)
     }
 
@@ -95,7 +103,6 @@ impl Occupancy {
         base: Base,
         span: &Span,
         raster: Option<(Vec3, f64)>,
-        most_memory: usize,
         interrupt: Interrupt,
     ) -> Result<()> {
         let sum: Vec3 = rays.iter().map(|r| r.stop - r.start).sum();
@@ -105,30 +112,28 @@ impl Occupancy {
             way[axis] * sign <= 0.0 || way[axis].powi(2) < LEAST_COS.powi(2) * way.norm_squared()
         });
         let strays: Vec<Ray> = strays.collect();
-        let check = |o: &Self| {
-            poll(interrupt)?;
-            o.check_memory(most_memory)
-        };
-        Bundle::new(&rays, Frame::new(axis, sign), base, span, raster).carve(self, &check)?;
+        Bundle::new(&rays, Frame::new(axis, sign), base, span, raster).carve(self, interrupt)?;
         for ray in &strays {
-            self.carve_alone(ray, &base, &check)?;
+            self.carve_alone(ray, &base, interrupt)?;
         }
         Ok(())
     }
 
     /// One ray, voxel by voxel, as far as it lies in the tile.
-    pub(super) fn carve_alone(&mut self, ray: &Ray, base: &Base, check: &dyn Fn(&Self) -> Result<()>) -> Result<()> {
-        check(self)?;
+    pub(super) fn carve_alone(&mut self, ray: &Ray, base: &Base, interrupt: Interrupt) -> Result<()> {
+        poll(interrupt)?;
         let Some(ray) = ray.clipped(&base.span(&self.span)) else { return Ok(()) };
         let way = ray.stop - ray.start;
         let pieces = (way.amax() / PIECE).ceil().max(1.0);
         for piece in 0..pieces as u64 {
-            check(self)?;
+            poll(interrupt)?;
+            // Nothing can be refused on the way: a piece of a ray passes at most three voxels a step.
+            self.blocks.grow(3 * PIECE as usize / EDGE as usize + 4, interrupt)?;
             let [from, to] = [piece, piece + 1].map(|i| ray.start + way * (i as f64 / pieces));
             march(&from, &to, |local| {
                 let voxel = base.world(local);
                 if self.span.holds(voxel) {
-                    self.traverse(voxel);
+                    self.blocks.entry(block_of(voxel)).or_default().traverse(Block::slot(voxel));
                 }
             });
         }

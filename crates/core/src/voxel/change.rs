@@ -4,12 +4,9 @@ use super::block::Block;
 use super::blocks::{Around, Bits, BlockMap, in_order, slots, steps_within, voxel_at};
 use super::class::{Class, Classes, one_sided};
 use super::grid::{Grid, Span};
-use super::occupancy::{Occupancy, check_memory};
+use super::occupancy::Occupancy;
 use crate::error::{Error, Result};
-use crate::{Interrupt, poll_now_and_then};
-
-/// Bytes that a block takes in memory, about.
-const BLOCK_BYTES: usize = 240;
+use crate::{Grow, Interrupt, poll_now_and_then};
 
 /// Voxels of a tile that are occupied in at least one of two epochs, with what became of them.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,7 +50,6 @@ impl Change {
         old: &Occupancy,
         new: &Occupancy,
         settings: Settings,
-        most_memory: usize,
         interrupt: Interrupt,
     ) -> Result<Self> {
         old.grid.same_lattice(&new.grid)?;
@@ -73,8 +69,7 @@ impl Change {
             poll_now_and_then(if judge.steps.len() > 27 { 0 } else { 16 * round }, interrupt)?;
             let classes = judge.block(key);
             if classes != Classes::default() {
-                out.blocks.insert(key, classes);
-                out.check_memory(most_memory)?;
+                out.insert(key, classes, interrupt)?;
             }
         }
         Ok(out)
@@ -125,6 +120,7 @@ impl Change {
         }
         for (round, (key, theirs)) in other.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
+            self.blocks.grow(1, interrupt)?;
             let mine = self.blocks.entry(*key).or_default();
             if mine.any().iter().zip(theirs.any()).any(|(a, b)| a & b != 0) {
                 return Err(Error::Lattice { reason: "their tiles share voxels".into() });
@@ -137,14 +133,11 @@ impl Change {
         Ok(())
     }
 
-    /// Bytes in memory, about.
-    pub fn memory(&self) -> usize {
-        self.blocks.len() * BLOCK_BYTES
-    }
-
-    /// Fails where more than `most` bytes are in memory.
-    pub fn check_memory(&self, most: usize) -> Result<()> {
-        check_memory(self.memory(), most)
+    /// Puts a block that is not there yet.
+    pub(super) fn insert(&mut self, key: [i32; 3], classes: Classes, interrupt: Interrupt) -> Result<()> {
+        self.blocks.grow(1, interrupt)?;
+        self.blocks.insert(key, classes);
+        Ok(())
     }
 }
 

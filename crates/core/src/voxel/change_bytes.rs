@@ -1,14 +1,14 @@
 //! The stored form of change: SQL's `ab_change`.
 
 use super::block_bytes::{
-    ABOVE_THE_LAST, Form, TileHeader, check_stored, read_bits, read_blocks, seal, write_bits, write_key,
+    ABOVE_THE_LAST, Form, MOST_OF_A_BLOCK, TileHeader, read_bits, read_blocks, write_bits, write_key,
 };
 use super::blocks::in_order;
 use super::change::{Change, Settings};
 use super::class::Classes;
 use crate::error::Result;
 use crate::num::bytes::{Put, Reader};
-use crate::{Interrupt, poll_now_and_then};
+use crate::{Grow, Interrupt, poll_now_and_then};
 
 const FORM: Form = Form { ty: "ab_change", letter: b'C', version: Change::VERSION };
 
@@ -17,7 +17,7 @@ const TWO_PLANES: u8 = 2;
 
 impl Change {
     /// Layout version written by this release.
-    pub const VERSION: u8 = 1;
+    pub const VERSION: u8 = 2;
 
     /// The stored and transmitted form; equal changes have equal bytes.
     ///
@@ -26,32 +26,31 @@ impl Change {
     pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
         let sorted = in_order(&self.blocks, interrupt)?;
         let keys: Vec<[i32; 3]> = sorted.iter().map(|(key, _)| *key).collect();
-        let mut out = Vec::with_capacity(TileHeader::LEN + 24 * sorted.len());
         let notes = [u8::from(self.against_model), self.settings.threshold];
-        FORM.start(notes, &self.grid, &keys, &mut out);
-        out.put_f64(self.settings.tolerance);
-        let mut last = [0i32; 3];
-        for (round, (key, classes)) in sorted.into_iter().enumerate() {
-            poll_now_and_then(round, interrupt)?;
-            let two = classes.0[2] == [0; 8];
-            write_key(key, last, if two { TWO_PLANES } else { 0 }, &mut out);
-            let planes = if two { 2 } else { 3 };
-            classes.0[..planes].iter().for_each(|bits| write_bits(bits, &mut out));
-            check_stored(&out)?;
-            last = key;
-        }
-        seal(&mut out);
-        Ok(out)
+        FORM.write(notes, &self.grid, &keys, interrupt, |out| {
+            out.put_f64(self.settings.tolerance);
+            let mut last = [0i32; 3];
+            for (round, (key, classes)) in sorted.into_iter().enumerate() {
+                poll_now_and_then(round, interrupt)?;
+                out.grow(MOST_OF_A_BLOCK, interrupt)?;
+                let two = classes.0[2] == [0; 8];
+                write_key(key, last, if two { TWO_PLANES } else { 0 }, out);
+                let planes = if two { 2 } else { 3 };
+                classes.0[..planes].iter().for_each(|bits| write_bits(bits, out));
+                last = key;
+            }
+            Ok(())
+        })
     }
 
     /// The header alone.
     pub fn header(bytes: &[u8]) -> Result<TileHeader> {
-        Ok(FORM.open(bytes)?.1)
+        FORM.header(bytes)
     }
 
-    /// Reads bytes, foreign ones too; no more than about `most_memory` bytes are allocated.
-    pub fn from_bytes(bytes: &[u8], most_memory: usize, interrupt: Interrupt) -> Result<Self> {
-        let (mut r, header) = FORM.open_sealed(bytes)?;
+    /// Reads bytes, foreign ones too.
+    pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
+        let (mut r, header) = FORM.read(bytes, interrupt)?;
         let settings = Settings { threshold: header.notes[1], tolerance: r.f64()? };
         if header.notes[0] > 1 || settings.threshold == 0 || !(0.0..=1e4).contains(&settings.tolerance) {
             return Err(r.bad(format!("notes {:?}, tolerance {}", header.notes, settings.tolerance)));
@@ -59,8 +58,7 @@ impl Change {
         let against_model = header.notes[0] == 1;
         let mut out = Self { grid: header.grid, settings, against_model, blocks: Default::default() };
         read_blocks(r, &header, interrupt, |r, flags, key| {
-            out.blocks.insert(key, read_classes(r, flags)?);
-            out.check_memory(most_memory)
+            out.insert(key, read_classes(r, flags)?, interrupt)
         })?;
         Ok(out)
     }
@@ -82,11 +80,9 @@ fn read_classes(r: &mut Reader, flags: u8) -> Result<Classes> {
 mod tests {
     use super::*;
     use crate::NEVER;
-    use crate::error::Error;
+    use crate::budget::AtMost;
     use crate::voxel::{Class, Grid};
     use proptest::prelude::*;
-
-    const MOST: usize = 1 << 24;
 
     fn any_change() -> impl Strategy<Value = Change> {
         let voxel = (prop::array::uniform3(-3i32..3), 0usize..512, 0usize..5);
@@ -108,7 +104,7 @@ mod tests {
         #[test]
         fn bytes_round_trip(c in any_change()) {
             let bytes = c.to_bytes(NEVER).unwrap();
-            let back = Change::from_bytes(&bytes, MOST, NEVER).unwrap();
+            let back = Change::from_bytes(&bytes, NEVER).unwrap();
             prop_assert_eq!(&back, &c);
             prop_assert_eq!(back.to_bytes(NEVER).unwrap(), bytes);
         }
@@ -119,16 +115,22 @@ mod tests {
             let n = bytes.len();
             bytes[at % n] ^= x;
             bytes.truncate(n - cut);
-            prop_assert!(Change::from_bytes(&bytes, MOST, NEVER).is_err());
+            prop_assert!(Change::from_bytes(&bytes, NEVER).is_err());
         }
 
         #[test]
-        fn nonsense_under_a_right_checksum(c in any_change(), flips in prop::collection::vec((8usize.., any::<u8>()), 1..9)) {
-            let mut bytes = c.to_bytes(NEVER).unwrap();
-            let n = bytes.len();
-            flips.into_iter().for_each(|(at, x)| bytes[8 + at % (n - 8)] = x);
-            seal(&mut bytes);
-            let _ = Change::from_bytes(&bytes, MOST, NEVER);
+        fn nonsense_under_a_right_checksum(c in any_change(), flips in prop::collection::vec((any::<usize>(), any::<u8>()), 1..9)) {
+            let bytes = c.to_bytes(NEVER).unwrap();
+            let (body, header) = FORM.read(&bytes, NEVER).unwrap();
+            let mut body = body.clone().take(body.remaining()).unwrap().to_vec();
+            let n = body.len();
+            flips.into_iter().for_each(|(at, x)| body[at % n] = x);
+            let keys: Vec<_> = c.blocks.keys().copied().collect();
+            let bytes = FORM.write(header.notes, &header.grid, &keys, NEVER, |out| {
+                out.extend_from_slice(&body);
+                Ok(())
+            });
+            let _ = Change::from_bytes(&bytes.unwrap(), NEVER);
         }
     }
 
@@ -141,6 +143,6 @@ mod tests {
             c.blocks.entry([0, 0, i]).or_default().set(3, Class::New);
         });
         let bytes = c.to_bytes(NEVER).unwrap();
-        assert!(matches!(Change::from_bytes(&bytes, 100_000, NEVER), Err(Error::Limit { .. })));
+        assert!(Change::from_bytes(&bytes, &AtMost(100_000)).is_err());
     }
 }

@@ -4,13 +4,9 @@ use super::block::Block;
 use super::blocks::{Bits, BlockMap, block_of, has, in_order, slots, steps_within, voxel_at};
 use super::change::Change;
 use super::class::Class;
-use super::occupancy::check_memory;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
-use crate::{Interrupt, poll_now_and_then};
-
-/// Bytes that a block takes in memory, about.
-const BLOCK_BYTES: usize = 96;
+use crate::{Grow, Interrupt, poll_now_and_then};
 
 /// Voxels of one class that hang together.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +29,6 @@ impl Change {
         class: Class,
         least: u64,
         gap: f64,
-        most_memory: usize,
         interrupt: Interrupt,
     ) -> Result<Vec<Component>> {
         if !(0.0..=8.0 * self.grid.voxel).contains(&gap) {
@@ -43,6 +38,7 @@ impl Change {
         let mut left: BlockMap<Bits> = BlockMap::default();
         for (round, (key, classes)) in self.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
+            left.grow(1, interrupt)?;
             left.insert(*key, classes.of(class));
         }
         let mut out = Vec::new();
@@ -51,7 +47,7 @@ impl Change {
             for slot in slots(&classes.of(class)) {
                 let seed = voxel_at(key, slot);
                 if take(&mut left, seed) {
-                    out.push(self.flood(class, seed, &mut left, &steps, most_memory, interrupt)?);
+                    out.push(self.flood(class, seed, &mut left, &steps, interrupt)?);
                 }
             }
         }
@@ -66,14 +62,13 @@ impl Change {
         seed: [i64; 3],
         left: &mut BlockMap<Bits>,
         steps: &[[i64; 3]],
-        most_memory: usize,
         interrupt: Interrupt,
     ) -> Result<Component> {
         let mut open = vec![seed];
         let (mut low, mut high, mut sum, mut n) = (seed, seed, Vec3::zeros(), 0u64);
         while let Some(voxel) = open.pop() {
             poll_now_and_then(n as usize, interrupt)?;
-            check_memory(open.len() * size_of::<[i64; 3]>() + left.len() * BLOCK_BYTES, most_memory)?;
+            open.grow(steps.len(), interrupt)?;
             n += 1;
             sum += self.grid.centre(voxel) - self.grid.centre(seed);
             for axis in 0..3 {

@@ -1,13 +1,14 @@
 //! Occupancy and change cut to a tile; occupancy made smoother or coarser.
 
-use super::blocks::{Around, BlockMap, has, slots, steps_within, voxel_at};
+use super::block::Block;
+use super::blocks::{Around, BlockMap, block_of, has, slots, steps_within, voxel_at};
 use super::change::Change;
 use super::class::Classes;
 use super::grid::Grid;
 use super::occupancy::Occupancy;
 use crate::error::{Error, Result};
 use crate::geometry::Aabb;
-use crate::{Interrupt, poll_now_and_then};
+use crate::{Grow, Interrupt, poll_now_and_then};
 
 impl Change {
     /// The voxels whose centres lie in a box.
@@ -20,7 +21,7 @@ impl Change {
             let inside = span.of_block(*key);
             let part = Classes(classes.0.map(|plane| std::array::from_fn(|word| plane[word] & inside[word])));
             if part != Classes::default() {
-                out.blocks.insert(*key, part);
+                out.insert(*key, part, interrupt)?;
             }
         }
         Ok(out)
@@ -49,7 +50,7 @@ impl Occupancy {
                 (0..512).filter(|&slot| !has(&inside, slot)).for_each(|slot| hits[slot] = 0);
             }
             if let Some(part) = part.tidied() {
-                out.insert(*key, part);
+                out.insert(*key, part, interrupt)?;
             }
         }
         Ok(out)
@@ -58,7 +59,9 @@ impl Occupancy {
     /// Without the returns of voxels that have fewer than `neighbours` occupied ones among the 26 around them: lone
     /// returns of rain, dust and mixed pixels. A voxel counts as occupied from `threshold` returns on.
     pub fn denoised(&self, neighbours: u32, threshold: u8, interrupt: Interrupt) -> Result<Self> {
-        let occupied: BlockMap<_> = self.blocks.iter().map(|(key, b)| (*key, b.occupied(threshold))).collect();
+        let mut occupied = BlockMap::default();
+        occupied.grow(self.blocks.len(), interrupt)?;
+        occupied.extend(self.blocks.iter().map(|(key, b)| (*key, b.occupied(threshold))));
         let steps: Vec<[i64; 3]> = steps_within(0.5).into_iter().filter(|s| *s != [0; 3]).collect();
         let mut out = self.empty_on(self.grid);
         for (round, (key, block)) in self.blocks.iter().enumerate() {
@@ -74,7 +77,7 @@ impl Occupancy {
                 }
             }
             if let Some(block) = block.tidied() {
-                out.insert(*key, block);
+                out.insert(*key, block, interrupt)?;
             }
         }
         Ok(out)
@@ -96,11 +99,12 @@ impl Occupancy {
             poll_now_and_then(16 * round, interrupt)?;
             for slot in slots(&block.known()) {
                 let voxel = voxel_at(*key, slot).map(|i| i.div_euclid(2));
+                let (larger, place) = (out.block(block_of(voxel), interrupt)?, Block::slot(voxel));
                 if block.is_traversed(slot) {
-                    out.traverse(voxel);
+                    larger.traverse(place);
                 }
                 if block.count(slot) > 0 {
-                    out.hit(voxel, block.count(slot));
+                    larger.hit(place, block.count(slot));
                 }
             }
         }

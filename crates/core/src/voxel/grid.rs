@@ -87,7 +87,7 @@ impl Grid {
     pub fn write(&self, out: &mut Vec<u8>) {
         let numbers =
             [&[self.voxel][..], &self.tile.min, &self.tile.max, &[self.margin, self.no_return_range]].concat();
-        numbers.iter().for_each(|&n| out.put_f64(n));
+        numbers.iter().for_each(|&n| out.put_f64(n + 0.0));
         out.put_i64(i64::from(self.exact));
     }
 

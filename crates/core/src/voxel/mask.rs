@@ -5,15 +5,13 @@ use std::cmp::Ordering;
 
 use super::blocks::{Around, Bits, BlockMap, block_of, has, put, slots};
 use super::grid::{Grid, Span};
-use super::occupancy::{Occupancy, check_memory};
+use super::occupancy::Occupancy;
 use super::surface::for_each_on_surface;
 use crate::error::{Error, Result};
 use crate::geometry::{Closedness, Solid, Vec3};
 use crate::num::sort::sort;
-use crate::{Interrupt, poll, poll_now_and_then};
+use crate::{Grow, Interrupt, poll, poll_now_and_then};
 
-/// Bytes that a block takes in memory, about.
-const BLOCK_BYTES: usize = 96;
 /// Attempts at a column that hits a seam of the mesh, each a little aside.
 const ATTEMPTS: u32 = 8;
 
@@ -48,7 +46,7 @@ pub struct Mask {
 
 impl Mask {
     /// The voxels of a grid's tile that a solid fills.
-    pub fn of(solid: &Solid, grid: &Grid, rule: Rule, most_memory: usize, interrupt: Interrupt) -> Result<Self> {
+    pub fn of(solid: &Solid, grid: &Grid, rule: Rule, interrupt: Interrupt) -> Result<Self> {
         if rule != Rule::Surface && solid.closedness() == Closedness::Open {
             return Err(Error::OpenSurface);
         }
@@ -61,20 +59,17 @@ impl Mask {
         }
         let local = Local::new(solid, grid, low);
         if rule != Rule::Surface {
-            out.fill(&local, &span, most_memory, interrupt)?;
+            out.fill(&local, &span, interrupt)?;
         }
         if rule != Rule::Centre {
             for t in 0..solid.triangles().len() {
                 poll(interrupt)?;
-                out.check_memory(most_memory)?;
                 let within = Span([0, 1, 2].map(|i| span.0[i].map(|v| v - low[i])));
                 for_each_on_surface(&local.corners(t), &within, interrupt, |v| {
-                    out.insert([0, 1, 2].map(|i| v[i] + low[i]));
-                    out.check_memory(most_memory)
+                    out.insert([0, 1, 2].map(|i| v[i] + low[i]), interrupt)
                 })?;
             }
         }
-        out.check_memory(most_memory)?;
         Ok(out)
     }
 
@@ -127,43 +122,43 @@ impl Mask {
     }
 
     /// As an occupancy of which everything is known.
-    pub fn into_model(self, grid: Grid, most_memory: usize, interrupt: Interrupt) -> Result<Occupancy> {
+    pub fn into_model(self, grid: Grid, interrupt: Interrupt) -> Result<Occupancy> {
         let mut out = Occupancy::of_model(grid);
         for (round, (key, bits)) in self.blocks.into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             let mut hits = Box::new([0u8; 512]);
             slots(&bits).for_each(|slot| hits[slot] = u8::MAX);
-            out.insert(key, Block { traversed: [0; 8], hits: Some(hits) });
-            out.check_memory(most_memory)?;
+            out.insert(key, Block { traversed: [0; 8], hits: Some(hits) }, interrupt)?;
         }
         Ok(out)
     }
 
-    fn insert(&mut self, voxel: [i64; 3]) {
-        let slot = Block::slot(voxel);
-        put(self.blocks.entry(block_of(voxel)).or_default(), slot);
+    fn insert(&mut self, voxel: [i64; 3], interrupt: Interrupt) -> Result<()> {
+        put(self.block(voxel, interrupt)?, Block::slot(voxel));
+        Ok(())
     }
 
-    fn check_memory(&self, most: usize) -> Result<()> {
-        check_memory(self.blocks.len() * BLOCK_BYTES, most)
+    /// The block of a voxel, made where it is missing.
+    fn block(&mut self, voxel: [i64; 3], interrupt: Interrupt) -> Result<&mut Bits> {
+        self.blocks.grow(1, interrupt)?;
+        Ok(self.blocks.entry(block_of(voxel)).or_default())
     }
 
     /// Voxels whose centre lies inside, eight layers at a time.
-    fn fill(&mut self, local: &Local, span: &Span, most_memory: usize, interrupt: Interrupt) -> Result<()> {
+    fn fill(&mut self, local: &Local, span: &Span, interrupt: Interrupt) -> Result<()> {
         let [_, _, [first, end]] = span.0;
         let mut z = first;
         while z < end {
             let above = (z.div_euclid(EDGE) + 1) * EDGE;
             let layers = [z, above.min(end)];
-            let crossings = local.crossings(layers, span.0[1], 0.0, most_memory, interrupt)?;
+            let crossings = local.crossings(layers, span.0[1], 0.0, interrupt)?;
             for (round, column) in crossings.chunk_by(|a, b| a.column == b.column).enumerate() {
                 poll_now_and_then(round, interrupt)?;
                 match runs(column) {
-                    Some(runs) => self.set_runs(&runs, column[0].column, local, span, most_memory, interrupt)?,
-                    None => self.fill_seam(column[0].column, local, span, most_memory, interrupt)?,
+                    Some(runs) => self.set_runs(&runs, column[0].column, local, span, interrupt)?,
+                    None => self.fill_seam(column[0].column, local, span, interrupt)?,
                 }
             }
-            self.check_memory(most_memory)?;
             z = above;
         }
         Ok(())
@@ -175,15 +170,14 @@ impl Mask {
         column: [i64; 2],
         local: &Local,
         span: &Span,
-        most_memory: usize,
         interrupt: Interrupt,
     ) -> Result<()> {
         for attempt in 1..=ATTEMPTS {
             let aside = 1e-7 * f64::from(attempt * attempt);
             let [z, y] = column;
-            let crossings = local.crossings([z, z + 1], [y, y + 1], aside, most_memory, interrupt)?;
+            let crossings = local.crossings([z, z + 1], [y, y + 1], aside, interrupt)?;
             if let Some(runs) = runs(&crossings) {
-                return self.set_runs(&runs, column, local, span, most_memory, interrupt);
+                return self.set_runs(&runs, column, local, span, interrupt);
             }
         }
         let reason =
@@ -198,7 +192,6 @@ impl Mask {
         [z, y]: [i64; 2],
         local: &Local,
         span: &Span,
-        most_memory: usize,
         interrupt: Interrupt,
     ) -> Result<()> {
         for [from, to] in runs {
@@ -210,10 +203,9 @@ impl Mask {
                 let stop = ((x.div_euclid(EDGE) + 1) * EDGE).min(end);
                 let slot = Block::slot([x, y, z]);
                 let bits = (u64::MAX >> (64 - (stop - x))) << (slot % 64);
-                self.blocks.entry(block_of([x, y, z])).or_default()[slot / 64] |= bits;
+                self.block([x, y, z], interrupt)?[slot / 64] |= bits;
                 x = stop;
             }
-            self.check_memory(most_memory)?;
         }
         Ok(())
     }
@@ -272,6 +264,17 @@ fn runs(crossings: &[Crossing]) -> Option<Vec<[f64; 2]>> {
     (winding == 0).then_some(out)
 }
 
+/// The columns along x of one layer.
+struct Columns {
+    layer: i64,
+    /// Its height, in voxels from `low`.
+    z: f64,
+    /// Numbers of the first, and of the one behind the last.
+    y: [i64; 2],
+    /// How far off their centres, in voxels.
+    aside: f64,
+}
+
 /// A solid in voxels, counted from one of its own.
 struct Local<'a> {
     solid: &'a Solid,
@@ -297,7 +300,6 @@ impl<'a> Local<'a> {
         z: [i64; 2],
         y: [i64; 2],
         aside: f64,
-        most_memory: usize,
         interrupt: Interrupt,
     ) -> Result<Vec<Crossing>> {
         let mut out = Vec::new();
@@ -309,10 +311,8 @@ impl<'a> Local<'a> {
             let last = ((high + 1.0).ceil().clamp(-1e10, 1e10) as i64 + self.low[2]).min(z[1] - 1);
             for layer in first..=last {
                 let at_z = (layer - self.low[2]) as f64 + 0.5 + 0.618 * aside;
-                self.cross_layer(&corners, layer, at_z, y, aside, &mut out);
                 poll(interrupt)?;
-                // Sorting takes as much again.
-                check_memory(2 * size_of::<Crossing>() * out.len(), most_memory)?;
+                self.cross_layer(&corners, &Columns { layer, z: at_z, y, aside }, &mut out, interrupt)?;
             }
         }
         sort(&mut out, interrupt)?;
@@ -320,7 +320,14 @@ impl<'a> Local<'a> {
     }
 
     /// The columns of one layer that a triangle crosses.
-    fn cross_layer(&self, c: &[Vec3; 3], layer: i64, z: f64, y: [i64; 2], aside: f64, out: &mut Vec<Crossing>) {
+    fn cross_layer(
+        &self,
+        c: &[Vec3; 3],
+        columns: &Columns,
+        out: &mut Vec<Crossing>,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        let &Columns { layer, z, y, aside } = columns;
         let mut ends: [Option<(f64, i32)>; 3] = [None; 3];
         for (i, end) in ends.iter_mut().enumerate() {
             let (p, q) = (&c[i], &c[(i + 1) % 3]);
@@ -331,7 +338,7 @@ impl<'a> Local<'a> {
             }
         }
         let mut ends = ends.into_iter().flatten();
-        let (Some(a), Some(b)) = (ends.next(), ends.next()) else { return };
+        let (Some(a), Some(b)) = (ends.next(), ends.next()) else { return Ok(()) };
         let ((left, winding), (right, _)) = if a.0 <= b.0 { (a, b) } else { (b, a) };
         let number = |at: f64| (at - 0.5 - aside).ceil().clamp(-1e10, 1e10) as i64 + self.low[1];
         let normal = (c[1] - c[0]).cross(&(c[2] - c[0]));
@@ -340,8 +347,10 @@ impl<'a> Local<'a> {
             let at_y = (row - self.low[1]) as f64 + 0.5 + aside;
             let x = c[0][0] - (normal[1] * (at_y - c[0][1]) + normal[2] * (z - c[0][2])) / normal[0];
             let x = if x.is_finite() { x.clamp(x_low, x_high) } else { x_low };
+            out.grow(1, interrupt)?;
             out.push(Crossing { column: [layer, row], x, winding });
         }
+        Ok(())
     }
 }
 

@@ -5,11 +5,7 @@ use super::blocks::{Bits, BlockMap, block_of, in_order, slots, voxel_at};
 use super::grid::{Grid, Span};
 use crate::error::{Error, Result};
 use crate::geometry::Aabb;
-use crate::{Interrupt, poll_now_and_then};
-
-/// Bytes that a block takes in memory with its counts, about.
-const BLOCK_BYTES: usize = 112;
-const COUNTS_BYTES: usize = 528;
+use crate::{Grow, Interrupt, poll_now_and_then};
 
 /// Blocks of a tile of which something is known. Mergeable, and the same whatever the order of patches.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,14 +16,12 @@ pub struct Occupancy {
     /// A drawn model: what it does not hold is empty, everywhere in the tile.
     pub(super) model: bool,
     pub(super) blocks: BlockMap<Block>,
-    /// Blocks with counts.
-    counted: usize,
 }
 
 impl Occupancy {
     /// Nothing is known.
     pub fn new(grid: Grid) -> Self {
-        Self { grid, span: grid.span(), model: false, blocks: BlockMap::default(), counted: 0 }
+        Self { grid, span: grid.span(), model: false, blocks: BlockMap::default() }
     }
 
     /// A drawn model that fills no voxel yet.
@@ -91,32 +85,18 @@ impl Occupancy {
         for (round, (key, theirs)) in other.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             match self.blocks.get_mut(key) {
-                Some(mine) => {
-                    self.counted += usize::from(mine.hits.is_none() && theirs.hits.is_some());
-                    mine.add(theirs);
-                }
-                None => self.insert(*key, theirs.clone()),
+                Some(mine) => mine.add(theirs),
+                None => self.insert(*key, theirs.clone(), interrupt)?,
             }
         }
         Ok(())
     }
 
-    /// Bytes in memory, about.
-    pub fn memory(&self) -> usize {
-        self.blocks.len() * BLOCK_BYTES + self.counted * COUNTS_BYTES
-    }
-
-    /// Fails where more than `most` bytes are in memory.
-    pub fn check_memory(&self, most: usize) -> Result<()> {
-        check_memory(self.memory(), most)
-    }
-
     /// Puts a block that is not there yet.
-    pub(super) fn insert(&mut self, key: [i32; 3], block: Block) {
-        self.counted += usize::from(block.hits.is_some());
-        if self.blocks.insert(key, block).is_some_and(|old| old.hits.is_some()) {
-            self.counted -= 1;
-        }
+    pub(super) fn insert(&mut self, key: [i32; 3], block: Block, interrupt: Interrupt) -> Result<()> {
+        self.blocks.grow(1, interrupt)?;
+        self.blocks.insert(key, block);
+        Ok(())
     }
 
     /// Nothing is known yet, on another grid.
@@ -124,31 +104,21 @@ impl Occupancy {
         Self { model: self.model, ..Self::new(grid) }
     }
 
-    pub(super) fn hit(&mut self, voxel: [i64; 3], returns: u8) {
-        let block = self.blocks.entry(block_of(voxel)).or_default();
-        self.counted += usize::from(block.hits.is_none());
-        block.hit(Block::slot(voxel), returns);
-    }
-
-    /// Adds a return at each of some slots of a block.
-    pub(super) fn hit_block(&mut self, key: [i32; 3], slots: impl Iterator<Item = usize>) {
-        let block = self.blocks.entry(key).or_default();
-        self.counted += usize::from(block.hits.is_none());
-        slots.for_each(|slot| block.hit(slot, 1));
-    }
-
-    pub(super) fn traverse(&mut self, voxel: [i64; 3]) {
-        self.blocks.entry(block_of(voxel)).or_default().traverse(Block::slot(voxel));
+    /// The block numbered `key`, made where it is missing.
+    pub(super) fn block(&mut self, key: [i32; 3], interrupt: Interrupt) -> Result<&mut Block> {
+        self.blocks.grow(1, interrupt)?;
+        Ok(self.blocks.entry(key).or_default())
     }
 
     /// Notes voxels of a block as traversed, as far as they belong to the tile.
-    pub(super) fn traverse_block(&mut self, key: [i32; 3], bits: &Bits) {
+    pub(super) fn traverse_block(&mut self, key: [i32; 3], bits: &Bits, interrupt: Interrupt) -> Result<()> {
         let inside = self.span.of_block(key);
         let masked: Bits = std::array::from_fn(|z| bits[z] & inside[z]);
         if masked.iter().any(|&w| w != 0) {
-            let block = self.blocks.entry(key).or_default();
+            let block = self.block(key, interrupt)?;
             block.traversed.iter_mut().zip(masked).for_each(|(a, b)| *a |= b);
         }
+        Ok(())
     }
 }
 
@@ -156,13 +126,4 @@ impl Occupancy {
 fn join(a: &Aabb, b: &Aabb) -> bool {
     let alike = (0..3).filter(|&i| a.min[i] == b.min[i] && a.max[i] == b.max[i]).count();
     a.contains(b) || b.contains(a) || alike >= 2 && a.overlaps(b)
-}
-
-/// Fails where a voxel grid of `bytes` is larger than `most`.
-pub(super) fn check_memory(bytes: usize, most: usize) -> Result<()> {
-    if bytes <= most {
-        return Ok(());
-    }
-    let mib = |bytes: usize| format!("{} MiB", bytes.div_ceil(1 << 20));
-    Err(Error::Limit { what: "the memory of a voxel grid", value: mib(bytes), limit: mib(most) })
 }

@@ -2,13 +2,13 @@
 
 use super::block::Block;
 use super::block_bytes::{
-    ABOVE_THE_LAST, Form, TileHeader, check_stored, read_bits, read_blocks, seal, write_bits, write_key,
+    ABOVE_THE_LAST, Form, MOST_OF_A_BLOCK, TileHeader, read_bits, read_blocks, write_bits, write_key,
 };
 use super::blocks::slots;
 use super::occupancy::Occupancy;
 use crate::error::Result;
 use crate::num::bytes::{Put, Reader};
-use crate::{Interrupt, poll_now_and_then};
+use crate::{Grow, Interrupt, poll_now_and_then};
 
 const FORM: Form = Form { ty: "ab_occupancy", letter: b'O', version: Occupancy::VERSION };
 
@@ -21,7 +21,7 @@ const FLAGS: u8 = ABOVE_THE_LAST | HAS_HITS | ALL_TRAVERSED | ALIKE;
 
 impl Occupancy {
     /// Layout version written by this release.
-    pub const VERSION: u8 = 1;
+    pub const VERSION: u8 = 2;
 
     /// The stored and transmitted form; equal occupancy has equal bytes.
     ///
@@ -32,35 +32,33 @@ impl Occupancy {
     pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
         let sorted = self.sorted(interrupt)?;
         let keys: Vec<[i32; 3]> = sorted.iter().map(|(key, _)| *key).collect();
-        let mut out = Vec::with_capacity(TileHeader::LEN + 8 * sorted.len());
-        FORM.start([u8::from(self.model), 0], &self.grid, &keys, &mut out);
-        let mut last = [0i32; 3];
-        for (round, (key, block)) in sorted.into_iter().enumerate() {
-            poll_now_and_then(round, interrupt)?;
-            write_block(key, last, block, &mut out);
-            check_stored(&out)?;
-            last = key;
-        }
-        seal(&mut out);
-        Ok(out)
+        FORM.write([u8::from(self.model), 0], &self.grid, &keys, interrupt, |out| {
+            let mut last = [0i32; 3];
+            for (round, (key, block)) in sorted.into_iter().enumerate() {
+                poll_now_and_then(round, interrupt)?;
+                out.grow(MOST_OF_A_BLOCK, interrupt)?;
+                write_block(key, last, block, out);
+                last = key;
+            }
+            Ok(())
+        })
     }
 
     /// The header alone.
     pub fn header(bytes: &[u8]) -> Result<TileHeader> {
-        Ok(FORM.open(bytes)?.1)
+        FORM.header(bytes)
     }
 
-    /// Reads bytes, foreign ones too; no more than about `most_memory` bytes are allocated.
-    pub fn from_bytes(bytes: &[u8], most_memory: usize, interrupt: Interrupt) -> Result<Self> {
-        let (r, header) = FORM.open_sealed(bytes)?;
+    /// Reads bytes, foreign ones too.
+    pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
+        let (r, header) = FORM.read(bytes, interrupt)?;
         let mut out = match header.notes {
             [0, 0] => Self::new(header.grid),
             [1, 0] => Self::of_model(header.grid),
             other => return Err(r.bad(format!("notes {other:?}"))),
         };
         read_blocks(r, &header, interrupt, |r, flags, key| {
-            out.insert(key, read_block(r, flags)?);
-            out.check_memory(most_memory)
+            out.insert(key, read_block(r, flags)?, interrupt)
         })?;
         Ok(out)
     }
@@ -121,11 +119,10 @@ fn read_block(r: &mut Reader, flags: u8) -> Result<Block> {
 mod tests {
     use super::*;
     use crate::NEVER;
-    use crate::error::Error;
+    use crate::budget::AtMost;
     use crate::voxel::Grid;
+    use crate::voxel::blocks::block_of;
     use proptest::prelude::*;
-
-    const MOST: usize = 1 << 24;
 
     fn any_occupancy() -> impl Strategy<Value = Occupancy> {
         let voxel = prop::array::uniform3(-40i64..40);
@@ -133,14 +130,17 @@ mod tests {
             .prop_map(|(voxels, full)| {
                 let mut o = Occupancy::new(Grid::new(0.02, Grid::EVERYWHERE, 0.01, 5.0).unwrap());
                 for (v, what) in voxels {
+                    let block = o.block(block_of(v), NEVER).unwrap();
                     if what > 0 {
-                        o.hit(v, 1);
+                        block.hit(Block::slot(v), 1);
                     }
                     if what < 2 {
-                        o.traverse(v);
+                        block.traverse(Block::slot(v));
                     }
                 }
-                full.into_iter().for_each(|key| o.insert(key, Block { traversed: [u64::MAX; 8], hits: None }));
+                for key in full {
+                    o.insert(key, Block { traversed: [u64::MAX; 8], hits: None }, NEVER).unwrap();
+                }
                 o
             })
     }
@@ -149,7 +149,7 @@ mod tests {
         #[test]
         fn bytes_round_trip(o in any_occupancy()) {
             let bytes = o.to_bytes(NEVER).unwrap();
-            let back = Occupancy::from_bytes(&bytes, MOST, NEVER).unwrap();
+            let back = Occupancy::from_bytes(&bytes, NEVER).unwrap();
             prop_assert_eq!(&back, &o);
             prop_assert_eq!(back.to_bytes(NEVER).unwrap(), bytes.clone());
             let header = Occupancy::header(&bytes).unwrap();
@@ -164,31 +164,30 @@ mod tests {
             let n = bytes.len();
             bytes[at % n] ^= x;
             bytes.truncate(n - cut);
-            prop_assert!(Occupancy::from_bytes(&bytes, MOST, NEVER).is_err());
+            prop_assert!(Occupancy::from_bytes(&bytes, NEVER).is_err());
         }
 
         #[test]
-        fn nonsense_under_a_right_checksum(tail in prop::collection::vec(any::<u8>(), 0..300), blocks in any::<u32>()) {
-            let mut bytes = Occupancy::new(Grid::new(0.02, Grid::EVERYWHERE, 0.0, 5.0).unwrap()).to_bytes(NEVER).unwrap();
-            let counts = TileHeader::LEN - 28;
-            bytes[counts..counts + 4].copy_from_slice(&blocks.to_le_bytes());
-            for axis in 0..3 {
-                let [low, high] = [counts + 4 + 8 * axis, counts + 8 + 8 * axis];
-                bytes[low..high].copy_from_slice(&i32::MIN.to_le_bytes());
-                bytes[high..high + 4].copy_from_slice(&i32::MAX.to_le_bytes());
-            }
-            bytes.extend_from_slice(&tail);
-            seal(&mut bytes);
-            let _ = Occupancy::from_bytes(&bytes, MOST, NEVER);
+        fn nonsense_under_a_right_checksum(tail in prop::collection::vec(any::<u8>(), 0..300), blocks in 1usize..5) {
+            let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.0, 5.0).unwrap();
+            let keys = vec![[i32::MIN; 3], [i32::MAX; 3]].repeat(blocks);
+            let bytes = FORM.write([0, 0], &grid, &keys, NEVER, |out| {
+                out.extend_from_slice(&tail);
+                Ok(())
+            });
+            let _ = Occupancy::from_bytes(&bytes.unwrap(), NEVER);
         }
     }
 
+    /// Few bytes can stand for much memory: room is asked for before it is taken.
     #[test]
     fn memory_is_bounded() {
         let mut o = Occupancy::new(Grid::new(0.02, Grid::EVERYWHERE, 0.0, 5.0).unwrap());
-        (0..5000).for_each(|i| o.insert([0, 0, i], Block { traversed: [u64::MAX; 8], hits: None }));
+        for i in 0..5000 {
+            o.insert([0, 0, i], Block { traversed: [u64::MAX; 8], hits: None }, NEVER).unwrap();
+        }
         let bytes = o.to_bytes(NEVER).unwrap();
         assert!(bytes.len() < 5000 + 200, "a full block takes a byte: {}", bytes.len());
-        assert!(matches!(Occupancy::from_bytes(&bytes, 100_000, NEVER), Err(Error::Limit { .. })));
+        assert!(Occupancy::from_bytes(&bytes, &AtMost(100_000)).is_err());
     }
 }

@@ -6,7 +6,7 @@ use super::blocks::{Bits, block_of};
 use super::fan::Fan;
 use super::grid::{Grid, Span};
 use super::occupancy::Occupancy;
-use crate::Result;
+use crate::{Interrupt, Result, poll};
 use crate::geometry::Vec3;
 
 /// Voxels of a slab along its axis: a row of the bit map is one word.
@@ -197,19 +197,19 @@ impl Bundle {
         Self { frame, base, tile, lines, fan }
     }
 
-    /// Carves it; `check` is asked at every slab whether to go on.
-    pub fn carve(&self, occupancy: &mut Occupancy, check: &dyn Fn(&Occupancy) -> Result<()>) -> Result<()> {
+    /// Carves it, slab by slab.
+    pub fn carve(&self, occupancy: &mut Occupancy, interrupt: Interrupt) -> Result<()> {
         let Some(ends) = self.ends() else { return Ok(()) };
         let mut map = BitMap::default();
         for number in floor(ends[0]).div_euclid(DEPTH)..=floor(ends[1]).div_euclid(DEPTH) {
-            check(occupancy)?;
+            poll(interrupt)?;
             let slab = [number * DEPTH, (number + 1) * DEPTH];
             if self.fit(&mut map, slab) {
                 self.draw(&mut map, slab);
-                map.merge(occupancy, &self.frame, slab[0], &self.base);
+                map.merge(occupancy, &self.frame, slab[0], &self.base, interrupt)?;
             } else {
                 for line in &self.lines {
-                    self.carve_part(occupancy, line, slab, check)?;
+                    self.carve_part(occupancy, line, slab, interrupt)?;
                 }
             }
         }
@@ -265,10 +265,10 @@ impl Bundle {
         occupancy: &mut Occupancy,
         line: &Line,
         slab: [i64; 2],
-        check: &dyn Fn(&Occupancy) -> Result<()>,
+        interrupt: Interrupt,
     ) -> Result<()> {
         match line.within(slab) {
-            None => check(occupancy),
+            None => poll(interrupt),
             Some([from, to]) => {
                 let point = |along: f64| {
                     let mut p = Vec3::zeros();
@@ -276,7 +276,7 @@ impl Bundle {
                     (0..2).for_each(|k| p[self.frame.across[k]] = line.across(k, along));
                     p
                 };
-                occupancy.carve_alone(&Ray { start: point(from), stop: point(to), part: 1.0 }, &self.base, check)
+                occupancy.carve_alone(&Ray { start: point(from), stop: point(to), part: 1.0 }, &self.base, interrupt)
             }
         }
     }
@@ -372,7 +372,14 @@ impl BitMap {
 
     /// Adds the map to the occupancy. `slab` is the number of its first voxel along the axis, mirrored for rays that run
     /// against it.
-    fn merge(&self, occupancy: &mut Occupancy, frame: &Frame, slab: i64, base: &Base) {
+    fn merge(
+        &self,
+        occupancy: &mut Occupancy,
+        frame: &Frame,
+        slab: i64,
+        base: &Base,
+        interrupt: Interrupt,
+    ) -> Result<()> {
         // Voxel i of the mirrored axis is voxel -1 - i.
         let first_along = if frame.mirrored() { -slab - DEPTH } else { slab };
         for w in (0..self.size[1]).step_by(8) {
@@ -395,10 +402,11 @@ impl BitMap {
                     local[frame.along] = first_along + 8 * part as i64;
                     local[frame.across[0]] = self.first[0] + v;
                     local[frame.across[1]] = self.first[1] + w;
-                    occupancy.traverse_block(block_of(base.world(local)), &bits);
+                    occupancy.traverse_block(block_of(base.world(local)), &bits, interrupt)?;
                 }
             }
         }
+        Ok(())
     }
 
     /// The rows along the axis of eight by eight.

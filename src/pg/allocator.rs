@@ -1,0 +1,147 @@
+//! The allocator of everything that Rust code takes in a backend: it counts, and it outlives a refusal.
+//!
+//! A Rust program that finds no memory aborts, and an aborted backend takes every session with it. An allocator may
+//! neither unwind nor report (`GlobalAlloc`'s contract), so this one gives up a ballast instead, and what polls next
+//! (see [`super::memory`]) raises PostgreSQL's own error 53200.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::ptr::null_mut;
+use std::sync::atomic::{AtomicIsize, AtomicPtr, AtomicUsize, Ordering::Relaxed};
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+struct Counting;
+
+/// Bytes that live, but for what each thread has not added yet.
+static LIVE: AtomicIsize = AtomicIsize::new(0);
+static PEAK: AtomicIsize = AtomicIsize::new(0);
+
+/// Bytes that the system had not, when the ballast was given up; 0 where it had all.
+static REFUSED: AtomicUsize = AtomicUsize::new(0);
+
+/// Given up when the system has nothing else: enough for what work takes until it asks whether to go on.
+static BALLAST: AtomicPtr<u8> = AtomicPtr::new(null_mut());
+const BALLAST_LAYOUT: Layout = Layout::new::<[u8; 64 << 20]>();
+/// From so much on the ballast is held: a session that asks little of asbuilt carries none.
+const BALLAST_FROM: isize = 4 << 20;
+
+/// A thread adds to [`LIVE`] once so much has come together.
+const FLUSH: isize = 64 << 10;
+
+thread_local! {
+    /// What this thread took (or gave back) since it last added to [`LIVE`].
+    static PENDING: Cell<isize> = const { Cell::new(0) };
+}
+
+/// Bytes that live.
+pub fn live() -> isize {
+    flush();
+    LIVE.load(Relaxed)
+}
+
+/// The most that lived since [`forget_peak`].
+pub fn peak() -> isize {
+    PEAK.load(Relaxed).max(live())
+}
+
+/// Counts the peak from now on.
+pub fn forget_peak() {
+    PEAK.store(live(), Relaxed);
+}
+
+/// The bytes that the system refused since this was last asked; holds a new ballast then, where there is room again.
+pub fn take_refusal() -> Option<usize> {
+    let refused = refusal()?;
+    REFUSED.store(0, Relaxed);
+    hold_ballast();
+    Some(refused)
+}
+
+/// What [`take_refusal`] will tell.
+pub fn refusal() -> Option<usize> {
+    Some(REFUSED.load(Relaxed)).filter(|&bytes| bytes > 0)
+}
+
+/// Whether the system has so much at once.
+pub fn has_room(bytes: usize) -> bool {
+    let Ok(layout) = Layout::array::<u8>(bytes.max(1)) else { return false };
+    let p = unsafe { System.alloc(layout) };
+    if !p.is_null() {
+        unsafe { System.dealloc(p, layout) };
+    }
+    !p.is_null()
+}
+
+fn count(bytes: isize) {
+    // During a thread's last breath its cell is gone; then nobody counts.
+    let due = PENDING.try_with(|pending| {
+        pending.set(pending.get() + bytes);
+        pending.get().abs() >= FLUSH
+    });
+    if due == Ok(true) {
+        flush();
+        if LIVE.load(Relaxed) > BALLAST_FROM && BALLAST.load(Relaxed).is_null() && refusal().is_none() {
+            hold_ballast();
+        }
+    }
+}
+
+fn flush() {
+    let pending = PENDING.try_with(Cell::take).unwrap_or(0);
+    let live = LIVE.fetch_add(pending, Relaxed) + pending;
+    PEAK.fetch_max(live, Relaxed);
+}
+
+#[cold]
+fn hold_ballast() {
+    if BALLAST.load(Relaxed).is_null() {
+        let fresh = unsafe { System.alloc(BALLAST_LAYOUT) };
+        if BALLAST.compare_exchange(null_mut(), fresh, Relaxed, Relaxed).is_err() && !fresh.is_null() {
+            unsafe { System.dealloc(fresh, BALLAST_LAYOUT) };
+        }
+    }
+}
+
+/// Gives the ballast up and tries once more.
+#[cold]
+fn retried(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
+    REFUSED.store(bytes.max(1), Relaxed);
+    let ballast = BALLAST.swap(null_mut(), Relaxed);
+    if !ballast.is_null() {
+        unsafe { System.dealloc(ballast, BALLAST_LAYOUT) };
+    }
+    alloc()
+}
+
+/// What `alloc` gives, at the second attempt if need be, counted as `bytes` more.
+fn counted(bytes: isize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
+    let mut p = alloc();
+    if p.is_null() {
+        p = retried(bytes.unsigned_abs(), alloc);
+    }
+    if !p.is_null() {
+        count(bytes);
+    }
+    p
+}
+
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        counted(layout.size() as isize, || unsafe { System.alloc(layout) })
+    }
+
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        counted(layout.size() as isize, || unsafe { System.alloc_zeroed(layout) })
+    }
+
+    unsafe fn dealloc(&self, p: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(p, layout) };
+        count(-(layout.size() as isize));
+    }
+
+    unsafe fn realloc(&self, p: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        counted(size as isize - layout.size() as isize, || unsafe { System.realloc(p, layout, size) })
+    }
+}

@@ -1,0 +1,156 @@
+//! What a call may take: its account, the account's limit, and the error beyond it.
+//!
+//! All that lives in a backend is counted ([`super::allocator`]). A call whose memory a setting limits opens that
+//! setting's account; what is taken until it closes, and what its aggregate states give back later, is the account's.
+
+use std::sync::atomic::{AtomicIsize, AtomicUsize, Ordering::Relaxed};
+
+use asbuilt_core::{Budget, Error, Result};
+
+use super::allocator;
+use crate::settings;
+
+/// Whose memory it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Account {
+    /// Limited by `asbuilt.memory_ceiling` alone.
+    Other,
+    /// Voxels: `asbuilt.max_grid_memory`.
+    Grid,
+    /// Evidence: `asbuilt.max_evidence_memory`.
+    Evidence,
+}
+
+const ACCOUNTS: [Account; 3] = [Account::Other, Account::Grid, Account::Evidence];
+
+/// What each account held when it was last closed.
+static HELD: [AtomicIsize; 3] = [const { AtomicIsize::new(0) }; 3];
+/// The account that is open, by its place in [`ACCOUNTS`].
+static OPEN: AtomicUsize = AtomicUsize::new(0);
+/// What lived when it was opened.
+static BEFORE: AtomicIsize = AtomicIsize::new(0);
+
+/// An account that is open until this is dropped.
+#[derive(Debug)]
+pub struct Opened {
+    before: usize,
+}
+
+impl Account {
+    /// Takes what comes on this account.
+    pub fn open(self) -> Opened {
+        Opened { before: switch(self as usize) }
+    }
+
+    /// The account that is open.
+    pub fn current() -> Self {
+        ACCOUNTS[OPEN.load(Relaxed)]
+    }
+
+    fn limit(self) -> usize {
+        match self {
+            Self::Other => usize::MAX,
+            Self::Grid => settings::max_grid_memory(),
+            Self::Evidence => settings::max_evidence_memory(),
+        }
+    }
+}
+
+impl Drop for Opened {
+    fn drop(&mut self) {
+        switch(self.before);
+    }
+}
+
+/// Settles what was taken on the open account, opens another, and tells which was open.
+fn switch(to: usize) -> usize {
+    let (live, open) = (allocator::live(), OPEN.load(Relaxed));
+    HELD[open].fetch_add(live - BEFORE.swap(live, Relaxed), Relaxed);
+    OPEN.store(to, Relaxed);
+    open
+}
+
+/// Bytes on the open account, and in all.
+fn taken() -> [usize; 2] {
+    let live = allocator::live();
+    let own = HELD[OPEN.load(Relaxed)].load(Relaxed) + live - BEFORE.load(Relaxed);
+    [own, live].map(|bytes| bytes.max(0) as usize)
+}
+
+/// An error where `more` bytes would be too many, for the open account or for all together.
+fn check(more: usize) -> Result<()> {
+    let (account, ceiling) = (Account::current(), settings::memory_ceiling());
+    let [own, all] = taken().map(|bytes| bytes.saturating_add(more));
+    let limit = account.limit().min(ceiling);
+    if own > limit {
+        return Err(beyond(account, own, limit, limit == ceiling));
+    }
+    if all > ceiling { Err(beyond(Account::Other, all, ceiling, true)) } else { Ok(()) }
+}
+
+fn beyond(account: Account, needed: usize, limit: usize, at_ceiling: bool) -> Error {
+    let what = match account {
+        Account::Grid => "the memory of voxel grids",
+        Account::Evidence => "the memory of evidence",
+        Account::Other => "the memory of asbuilt in this session",
+    };
+    let hint = match account {
+        _ if at_ceiling => "asbuilt.memory_ceiling is the limit, a superuser's to raise; or ask for less at a time.",
+        Account::Grid => {
+            "Aggregate tile by tile: FROM ab_tiles(box, size) t JOIN scan ON patch && t; or use larger voxels, or raise asbuilt.max_grid_memory."
+        }
+        _ => {
+            "Verify storey by storey, or with samples farther apart (spacing), or raise asbuilt.max_evidence_memory."
+        }
+    };
+    Error::Memory { what, needed, limit, hint }
+}
+
+/// The budget of a backend's calls; on other threads than its main one, the interrupts are not served but obeyed.
+#[derive(Debug, Clone, Copy)]
+pub struct Backend;
+
+/// The same on the threads of [`super::Crew`].
+#[derive(Debug, Clone, Copy)]
+pub struct Helper;
+
+/// An error where too much was taken, or the system had nothing to give.
+pub(super) fn poll_memory() -> Result<()> {
+    allocator::refusal().map_or_else(|| check(0), |bytes| Err(Error::OutOfMemory { bytes }))
+}
+
+/// The system is asked too: what it then takes at once is not refused to code that cannot bear it.
+fn room(bytes: usize) -> Result<()> {
+    check(bytes)?;
+    if allocator::has_room(bytes) { Ok(()) } else { Err(Error::OutOfMemory { bytes }) }
+}
+
+impl Budget for Backend {
+    fn poll(&self) -> Result<()> {
+        super::interrupt::serve();
+        poll_memory()
+    }
+
+    fn room(&self, bytes: usize) -> Result<()> {
+        room(bytes)
+    }
+}
+
+impl Budget for Helper {
+    fn poll(&self) -> Result<()> {
+        if super::interrupt::is_due() { Err(Error::Interrupted) } else { poll_memory() }
+    }
+
+    fn room(&self, bytes: usize) -> Result<()> {
+        room(bytes)
+    }
+}
+
+/// Bytes that live in this backend and the most that ever did; `from_now` begins the peak anew after it is told.
+pub fn memory_in_use(from_now: bool) -> [i64; 2] {
+    let told = [allocator::live(), allocator::peak()].map(|bytes| bytes as i64);
+    if from_now {
+        allocator::forget_peak();
+    }
+    told
+}

@@ -1,0 +1,100 @@
+//! Equality, order and hash by the bytes of the current layout, for types that have no other: so that a column of them has
+//! a replica identity, and DISTINCT and GROUP BY work.
+
+use std::borrow::Cow;
+use std::cmp::Ordering;
+
+use asbuilt_core::geometry::Solid;
+use asbuilt_core::scan::{Header, Patch};
+use asbuilt_core::verify::{Evidence, EvidenceModel};
+use asbuilt_core::voxel::{Change, Grid, Occupancy};
+use asbuilt_core::{Budget, Error, Result};
+
+use crate::pg::{Args, Backend, Ret, sql_functions};
+
+/// Bytes compared or hashed between two looks at the interrupt.
+const PIECE: usize = 1 << 24;
+
+/// The bytes of a variable-length value in today's layout, told by its letter and version.
+fn current(bytes: &[u8]) -> Result<Cow<'_, [u8]>> {
+    let (version, letter) = match bytes {
+        [version, letter, ..] => (*version, *letter),
+        _ => return Err(Error::corrupted("a value", "it is cut short")),
+    };
+    Ok(match letter {
+        b'P' if version < Header::VERSION => Patch::from_bytes(bytes)?.to_bytes().into(),
+        b'S' if version < Solid::VERSION => Solid::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
+        b'E' if version < Evidence::VERSION => Evidence::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
+        b'O' if version < Occupancy::VERSION => Occupancy::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
+        b'C' if version < Change::VERSION => Change::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
+        _ => bytes.into(),
+    })
+}
+
+fn order(args: &Args) -> Result<Ordering> {
+    let (a, b) = (current(args.bytes(0))?, current(args.bytes(1))?);
+    for (a, b) in a.chunks(PIECE).zip(b.chunks(PIECE)) {
+        Backend.poll()?;
+        let order = a[..a.len().min(b.len())].cmp(&b[..a.len().min(b.len())]);
+        if order.is_ne() {
+            return Ok(order);
+        }
+    }
+    Ok(a.len().cmp(&b.len()))
+}
+
+fn order_of_fixed<const N: usize>(args: &Args) -> Ordering {
+    args.fixed::<N>(0).cmp(&args.fixed::<N>(1))
+}
+
+/// In a hash index these are kept: where a layout changes, it is to be made anew.
+fn hash(bytes: &[u8], start: u32) -> Result<u32> {
+    let mut crc = crc32fast::Hasher::new_with_initial(start);
+    for piece in bytes.chunks(PIECE) {
+        Backend.poll()?;
+        crc.update(piece);
+    }
+    Ok(crc.finalize())
+}
+
+fn plain(bytes: &[u8]) -> Result<Ret> {
+    Ok(Ret::I32(hash(bytes, 0)? as i32))
+}
+
+/// With the seed in argument 1, in 64 bits; without one the low half is the plain hash.
+fn extended(args: &Args, bytes: &[u8]) -> Result<Ret> {
+    let wide = u64::from(hash(bytes, 0x9e37_79b9)?) << 32 | u64::from(hash(bytes, 0)?);
+    Ok(Ret::I64((wide ^ (args.i64(1) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)) as i64))
+}
+
+sql_functions! {
+    fn ab_bytes_eq(args) { Ok(Ret::Bool(order(args)?.is_eq())) }
+    fn ab_bytes_ne(args) { Ok(Ret::Bool(order(args)?.is_ne())) }
+    fn ab_bytes_lt(args) { Ok(Ret::Bool(order(args)?.is_lt())) }
+    fn ab_bytes_le(args) { Ok(Ret::Bool(order(args)?.is_le())) }
+    fn ab_bytes_ge(args) { Ok(Ret::Bool(order(args)?.is_ge())) }
+    fn ab_bytes_gt(args) { Ok(Ret::Bool(order(args)?.is_gt())) }
+    fn ab_bytes_compare(args) { Ok(Ret::I32(order(args)? as i32)) }
+    fn ab_bytes_hash(args) { plain(&current(args.bytes(0))?) }
+    fn ab_bytes_hash_extended(args) { extended(args, &current(args.bytes(0))?) }
+
+    fn ab_grid_eq(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_eq())) }
+    fn ab_grid_ne(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_ne())) }
+    fn ab_grid_lt(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_lt())) }
+    fn ab_grid_le(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_le())) }
+    fn ab_grid_ge(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_ge())) }
+    fn ab_grid_gt(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_gt())) }
+    fn ab_grid_compare(args) { Ok(Ret::I32(order_of_fixed::<{ Grid::LEN }>(args) as i32)) }
+    fn ab_grid_hash(args) { plain(&args.fixed::<{ Grid::LEN }>(0)) }
+    fn ab_grid_hash_extended(args) { extended(args, &args.fixed::<{ Grid::LEN }>(0)) }
+
+    fn ab_evidence_model_eq(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_eq())) }
+    fn ab_evidence_model_ne(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_ne())) }
+    fn ab_evidence_model_lt(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_lt())) }
+    fn ab_evidence_model_le(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_le())) }
+    fn ab_evidence_model_ge(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_ge())) }
+    fn ab_evidence_model_gt(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_gt())) }
+    fn ab_evidence_model_compare(args) { Ok(Ret::I32(order_of_fixed::<{ EvidenceModel::LEN }>(args) as i32)) }
+    fn ab_evidence_model_hash(args) { plain(&args.fixed::<{ EvidenceModel::LEN }>(0)) }
+    fn ab_evidence_model_hash_extended(args) { extended(args, &args.fixed::<{ EvidenceModel::LEN }>(0)) }
+}
