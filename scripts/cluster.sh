@@ -43,12 +43,13 @@ max_parallel_workers_per_gather = 2
 jit = off
 CONF
   fi
-  running || as_server env -u RUST_BACKTRACE "$bin/pg_ctl" -D "$dir/data" -l "$dir/server.log" -w -s start
+  # As whoever debugs a server has it: no backtrace may reach a client all the same.
+  running || as_server env RUST_BACKTRACE=1 "$bin/pg_ctl" -D "$dir/data" -l "$dir/server.log" -w -s start
   echo "export PGHOST=$dir PGUSER=postgres PGDATABASE=postgres; unset PGPORT PGPASSWORD PGSERVICE"
   ;;
-stop) ! running || as_server env -u RUST_BACKTRACE "$bin/pg_ctl" -D "$dir/data" -m fast -w -s stop ;;
+stop) ! running || as_server "$bin/pg_ctl" -D "$dir/data" -m fast -w -s stop ;;
 drop)
-  ! running || as_server env -u RUST_BACKTRACE "$bin/pg_ctl" -D "$dir/data" -m immediate -w -s stop
+  ! running || as_server "$bin/pg_ctl" -D "$dir/data" -m immediate -w -s stop
   rm -rf "$dir"
   ;;
 *)

@@ -1,7 +1,7 @@
 //! `ab_line_agg` and `ab_plane_agg`: best fits through points.
 
 use asbuilt_core::uncertain::{Point, Stored, fit};
-use asbuilt_core::{Error, Interrupt, Result};
+use asbuilt_core::{Error, Grow, Interrupt, Result};
 
 use crate::pg::{AggState, Args, Backend, Ret, aggregate_state, deserialised_state, sql_functions};
 use crate::types::uncertain::{ret, value};
@@ -37,6 +37,7 @@ sql_functions! {
     fn ab_points_accum(args) {
         let mut state = state(args, 0)?;
         if !args.is_null(1) {
+            state.get().grow(1, &Backend)?;
             state.get().push(value(args, 1));
             check(state.get())?;
         }
@@ -46,7 +47,9 @@ sql_functions! {
     fn ab_points_combine(args) {
         let mut left = state(args, 0)?;
         if !args.is_null(1) {
-            left.get().extend_from_slice(state(args, 1)?.get());
+            let mut right = state(args, 1)?;
+            left.get().grow(right.get().len(), &Backend)?;
+            left.get().extend_from_slice(right.get());
             check(left.get())?;
         }
         Ok(left.ret())

@@ -29,7 +29,7 @@ fn accumulate(args: &Args, with_origin: bool) -> Result<Ret> {
     let mut state = state(args, 0)?;
     if !(1..args.len()).any(|i| args.is_null(i)) {
         let (station, row) = row(args, with_origin)?;
-        state.get().push(station, &row)?;
+        state.get().push(station, &row, &Backend)?;
     }
     Ok(state.ret())
 }
@@ -42,14 +42,14 @@ sql_functions! {
     fn ab_scan_combine(args) {
         let mut left = state(args, 0)?;
         if !args.is_null(1) {
-            left.get().merge(state(args, 1)?.get())?;
+            left.get().merge(state(args, 1)?.get(), &Backend)?;
         }
         Ok(left.ret())
     }
 
-    fn ab_scan_serial(args) { Ok(Ret::Bytes(state(args, 0)?.get().to_bytes())) }
+    fn ab_scan_serial(args) { Ok(Ret::Bytes(state(args, 0)?.get().to_bytes(&Backend)?)) }
 
-    fn ab_scan_deserial(args) { Ok(deserialised_state(Gathered::from_bytes(args.bytes(0))?).ret()) }
+    fn ab_scan_deserial(args) { Ok(deserialised_state(Gathered::from_bytes(args.bytes(0), &Backend)?).ret()) }
 
     fn ab_scan_final(args) {
         if args.is_null(0) {

@@ -99,9 +99,15 @@ impl Args {
         unsafe { CStr::from_ptr(self.datum(i).cast_mut_ptr()) }.to_bytes()
     }
 
-    /// A `text`.
+    /// A `text`: a word, a query.
     pub fn text(&self, i: usize) -> String {
-        String::from_utf8_lossy(self.bytes(i)).into_owned()
+        const LONGEST: usize = 16 << 20;
+        let bytes = self.bytes(i);
+        if bytes.len() > LONGEST {
+            let (value, limit) = (format!("{} bytes long", bytes.len()), format!("{LONGEST}"));
+            super::function::raise(&Error::Limit { what: "an argument of type text", value, limit }, "asbuilt");
+        }
+        String::from_utf8_lossy(bytes).into_owned()
     }
 
     /// The value of the enum `ab_loa`.

@@ -1,7 +1,9 @@
 //! PostgreSQL arrays of plain numbers.
 
-use asbuilt_core::{Error, Result};
+use asbuilt_core::{Budget, Error, Result};
 use pgrx::pg_sys;
+
+use super::memory::Backend;
 
 /// `3` or `4×2`, for messages.
 pub fn shape(dims: &[i32]) -> String {
@@ -27,6 +29,7 @@ pub unsafe fn read<T: Copy>(datum: pg_sys::Datum, what: &'static str) -> Result<
             0 => header.next_multiple_of(8),
             o => o as usize,
         };
+        Backend.room(count * size_of::<T>())?;
         let data = array.cast::<u8>().add(offset).cast::<T>();
         Ok((dims, (0..count).map(|i| data.add(i).read_unaligned()).collect()))
     }

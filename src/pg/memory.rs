@@ -99,9 +99,7 @@ fn beyond(account: Account, needed: usize, limit: usize, at_ceiling: bool) -> Er
         Account::Grid => {
             "Aggregate tile by tile: FROM ab_tiles(box, size) t JOIN scan ON patch && t; or use larger voxels, or raise asbuilt.max_grid_memory."
         }
-        _ => {
-            "Verify storey by storey, or with samples farther apart (spacing), or raise asbuilt.max_evidence_memory."
-        }
+        _ => "Verify storey by storey, or with samples farther apart (spacing), or raise asbuilt.max_evidence_memory.",
     };
     Error::Memory { what, needed, limit, hint }
 }

@@ -2,10 +2,11 @@
 
 use std::ffi::CString;
 
-use asbuilt_core::{Error, Result};
+use asbuilt_core::{Budget, Error, Result};
 use pgrx::pg_sys;
 
 use super::interrupt::serve;
+use super::memory::Backend;
 use super::{Args, own_type_name, toast};
 
 /// What a column holds.
@@ -99,9 +100,10 @@ unsafe fn fetch_all(
                 pg_sys::SPI_freetuptable(table);
                 return Ok(());
             }
-            let rows = (0..count).map(|i| row(*(*table).vals.add(i), (*table).tupdesc, &readers)).collect();
+            let rows: Result<Vec<_>> =
+                (0..count).map(|i| row(*(*table).vals.add(i), (*table).tupdesc, &readers)).collect();
             pg_sys::SPI_freetuptable(table);
-            visit(rows)?;
+            visit(rows?)?;
         }
     }
 }
@@ -141,14 +143,14 @@ unsafe fn readers(args: &Args, query: &Query, desc: pg_sys::TupleDesc) -> Result
     (0..found).map(reader).collect()
 }
 
-unsafe fn row(tuple: pg_sys::HeapTuple, desc: pg_sys::TupleDesc, readers: &[Reader]) -> Vec<Cell> {
+unsafe fn row(tuple: pg_sys::HeapTuple, desc: pg_sys::TupleDesc, readers: &[Reader]) -> Result<Vec<Cell>> {
     let cell = |(i, reader): (usize, &Reader)| unsafe {
         let mut is_null = false;
         let datum = pg_sys::SPI_getbinval(tuple, desc, i as i32 + 1, &mut is_null);
         if is_null {
-            return Cell::Null;
+            return Ok(Cell::Null);
         }
-        match *reader {
+        Ok(match *reader {
             Reader::Int16 => Cell::Integer(i64::from(datum.value() as i16)),
             Reader::Int32 => Cell::Integer(i64::from(datum.value() as i32)),
             Reader::Int64 => Cell::Integer(datum.value() as i64),
@@ -156,13 +158,15 @@ unsafe fn row(tuple: pg_sys::HeapTuple, desc: pg_sys::TupleDesc, readers: &[Read
             Reader::Varlena => {
                 let stored: *mut pg_sys::varlena = datum.cast_mut_ptr();
                 let fetched = toast::fetch(stored);
-                let bytes = pgrx::varlena::varlena_to_byte_slice(fetched).to_vec();
+                let bytes = pgrx::varlena::varlena_to_byte_slice(fetched);
+                Backend.room(bytes.len())?;
+                let bytes = bytes.to_vec();
                 if fetched != stored {
                     pg_sys::pfree(fetched.cast());
                 }
                 Cell::Bytes(bytes)
             }
-        }
+        })
     };
     readers.iter().enumerate().map(cell).collect()
 }

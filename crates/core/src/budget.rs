@@ -46,13 +46,13 @@ pub(crate) fn poll_now_and_then(round: usize, interrupt: Interrupt) -> Result<()
 const SMALL: usize = 1 << 16;
 
 /// An error where there is no room for `count` elements of `T` that are about to be taken.
-fn room<T>(count: usize, interrupt: Interrupt) -> Result<()> {
+pub(crate) fn room<T>(count: usize, interrupt: Interrupt) -> Result<()> {
     let bytes = count.saturating_mul(size_of::<T>());
     if bytes < SMALL { Ok(()) } else { interrupt.room(bytes) }
 }
 
 /// Collections that ask for room before they grow: they double, and a limit would be passed by as much.
-pub(crate) trait Grow {
+pub trait Grow {
     /// Makes room for `additional` elements, as much as [`Vec::reserve`] would.
     fn grow(&mut self, additional: usize, interrupt: Interrupt) -> Result<()>;
 }

@@ -151,7 +151,9 @@ impl Error {
             Self::OpenSurface => {
                 "Ask ab_closedness(solid) first; area, box and verdicts work on open surfaces too.".into()
             }
-            Self::Version { .. } | Self::Section { .. } => "Install the newer release: ALTER EXTENSION asbuilt UPDATE.".into(),
+            Self::Version { .. } | Self::Section { .. } => {
+                "Install the newer release: ALTER EXTENSION asbuilt UPDATE.".into()
+            }
             Self::Covariance { .. } => {
                 "A covariance is symmetric and has no negative eigenvalue; repair it, or give sd for a diagonal one."
                     .into()
@@ -178,7 +180,8 @@ impl Error {
                 "Models add up to models and epochs to epochs; ab_change(model, epoch) compares them.".into()
             }
             Self::Lattice { .. } => {
-                "Aggregate both with the same ab_grid(); ab_downsample(occupancy) doubles the voxels of the finer one.".into()
+                "Aggregate both with the same ab_grid(); ab_downsample(occupancy) doubles the voxels of the finer one."
+                    .into()
             }
             Self::Limit { what, .. } if what.contains("offset") => {
                 "Use a coarser quantum, or give coordinates nearer the scanner.".into()

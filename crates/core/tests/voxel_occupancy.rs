@@ -1,9 +1,9 @@
 //! Occupancy against brute force: every voxel against every beam, by clipping, sharing no code with the carver.
 
-use asbuilt_core::{Budget, Error, NEVER};
 use asbuilt_core::geometry::{Aabb, Vec3};
 use asbuilt_core::scan::{Beam, Content, Origins, Patch, Setting};
 use asbuilt_core::voxel::{Grid, Occupancy, State};
+use asbuilt_core::{Budget, Error, NEVER};
 use proptest::prelude::*;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

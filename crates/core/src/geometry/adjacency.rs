@@ -3,7 +3,7 @@
 use super::Solid;
 use super::weld::weld;
 use crate::num::sort::sort;
-use crate::{Interrupt, Result, poll_now_and_then};
+use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
 /// An edge that more triangles share is a fan's spine or junk; pairing all of them would be quadratic.
 const MOST_SHARED: usize = 16;
@@ -20,6 +20,7 @@ impl Adjacency {
     /// Finds the neighbours by sorting the edges, vertices welded.
     pub fn of(solid: &Solid, interrupt: Interrupt) -> Result<Self> {
         let edges = sorted_edges(solid, interrupt)?;
+        room::<[u32; 6]>(solid.triangles().len(), interrupt)?;
         let mut starts = vec![0u32; solid.triangles().len() + 1];
         for_each_shared(&edges, interrupt, |t, _| starts[t as usize + 1] += 1)?;
         for t in 1..starts.len() {
@@ -43,7 +44,8 @@ impl Adjacency {
 /// (Lower vertex, higher vertex, triangle) of every edge of every triangle, sorted.
 fn sorted_edges(solid: &Solid, interrupt: Interrupt) -> Result<Vec<[u32; 3]>> {
     let welded = weld(solid.vertices(), interrupt)?;
-    let mut edges = Vec::with_capacity(3 * solid.triangles().len());
+    let mut edges = Vec::new();
+    edges.grow(3 * solid.triangles().len(), interrupt)?;
     for (t, tri) in solid.triangles().iter().enumerate() {
         poll_now_and_then(t, interrupt)?;
         for k in 0..3 {

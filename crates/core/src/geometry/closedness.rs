@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::{Aabb, Vec3};
 use crate::num::sort::sort;
-use crate::{Interrupt, Result, poll_now_and_then};
+use crate::{Grow, Interrupt, Result, poll_now_and_then};
 
 /// How well a triangle mesh encloses space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -81,7 +81,8 @@ pub fn closedness(
 
 /// Directed edges that no reverse cancels, each as often as it is left over.
 fn border_edges(welded: &[u32], triangles: &[[u32; 3]], interrupt: Interrupt) -> Result<Vec<(u32, u32)>> {
-    let mut balance: HashMap<(u32, u32), i32> = HashMap::with_capacity(triangles.len() * 2);
+    let mut balance: HashMap<(u32, u32), i32> = HashMap::new();
+    balance.grow(triangles.len() * 2, interrupt)?;
     for (i, t) in triangles.iter().enumerate() {
         poll_now_and_then(i, interrupt)?;
         for k in 0..3 {
@@ -95,6 +96,7 @@ fn border_edges(welded: &[u32], triangles: &[[u32; 3]], interrupt: Interrupt) ->
     for (i, ((a, b), n)) in balance.into_iter().enumerate() {
         poll_now_and_then(i, interrupt)?;
         let edge = if n > 0 { (a, b) } else { (b, a) };
+        left.grow(n.unsigned_abs() as usize, interrupt)?;
         left.extend(std::iter::repeat_n(edge, n.unsigned_abs() as usize));
     }
     sort(&mut left, interrupt)?;

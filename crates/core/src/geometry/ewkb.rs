@@ -6,7 +6,7 @@ use super::triangulate::triangulate;
 use super::{Solid, Vec3};
 use crate::error::{Error, Result};
 use crate::num::bytes::{Put, Reader};
-use crate::{Interrupt, poll_now_and_then};
+use crate::{Grow, Interrupt, poll_now_and_then};
 
 const TY: &str = "geometry";
 const HAS_Z: u32 = 0x8000_0000;
@@ -39,7 +39,8 @@ impl Solid {
             SurfaceKind::Tin => (TIN, TRIANGLE),
         };
         let triangles = self.triangles().len();
-        let mut out = Vec::with_capacity(9 + 109 * triangles);
+        let mut out = Vec::new();
+        out.grow(9 + 109 * triangles, interrupt)?;
         let put_head = |out: &mut Vec<u8>, ty: u32, count: usize| {
             out.put(&[1]);
             out.put_u32(ty | HAS_Z);
@@ -189,6 +190,9 @@ impl Mesh {
         if cut.is_empty() || (covered - enclosed).abs() > AREA_TOLERANCE * enclosed {
             return Err(bad(&corners));
         }
+        self.vertices.grow(corners.len(), interrupt)?;
+        self.number_of.grow(corners.len(), interrupt)?;
+        self.triangles.grow(cut.len(), interrupt)?;
         let numbers: Vec<u32> = corners.into_iter().map(|c| self.number(c)).collect();
         self.triangles.extend(cut.iter().map(|t| t.map(|i| numbers[i])));
         Ok(())

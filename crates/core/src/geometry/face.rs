@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use super::adjacency::Adjacency;
 use super::{Solid, Vec3};
 use crate::num::sort::sort;
-use crate::{Interrupt, Result, poll_now_and_then};
+use crate::{Interrupt, Result, poll_now_and_then, room};
 
 /// Triangles whose normals differ by no more than this from the first one's may share its face.
 const MAX_TURN_COS: f64 = 0.990_268_068_741_570; // cos 8°
@@ -35,6 +35,8 @@ impl Faces {
 /// Groups triangles into nearly plane faces: grows each over shared edges, largest triangles first, then joins
 /// faces of one plane (both sides of a door, tops of many parts).
 pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
+    // Planes, faces, order and parents of as many triangles.
+    room::<[u64; 16]>(solid.triangles().len(), interrupt)?;
     let planes = planes(solid, interrupt)?;
     let adjacency = Adjacency::of(solid, interrupt)?;
     let mut faces =

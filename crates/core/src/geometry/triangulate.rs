@@ -6,7 +6,7 @@ use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use super::Vec3;
-use crate::{Interrupt, Result, poll};
+use crate::{Interrupt, Result, poll, room};
 
 type Plane = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
@@ -21,6 +21,8 @@ pub fn triangulate(
     normal: &Vec3,
     interrupt: Interrupt,
 ) -> Result<Option<Vec<[usize; 3]>>> {
+    // A corner of a triangulation: its place, six half-edges and two faces, their places in maps.
+    room::<[u64; 64]>(corners.len(), interrupt)?;
     let mut plane = Plane::new();
     let Some((handles, corner_of)) = insert(corners, normal, &mut plane, interrupt)? else { return Ok(None) };
     let Some(parting) = parting_edges(&handles, holes, &mut plane, interrupt)? else { return Ok(None) };
@@ -147,7 +149,18 @@ mod tests {
         let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
         assert_eq!(area(&square, &[]), Some(16.0));
         // To a hole and back along the same edge.
-        let slit = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0], [1.0, 1.0], [1.0, 3.0], [3.0, 3.0], [3.0, 1.0], [1.0, 1.0]];
+        let slit = [
+            [0.0, 0.0],
+            [4.0, 0.0],
+            [4.0, 4.0],
+            [0.0, 4.0],
+            [0.0, 0.0],
+            [1.0, 1.0],
+            [1.0, 3.0],
+            [3.0, 3.0],
+            [3.0, 1.0],
+            [1.0, 1.0],
+        ];
         assert_eq!(area(&slit, &[]), Some(12.0));
         // A hole whose corner touches the outer ring between two of its corners.
         let touching = [square.as_slice(), &[[0.0, 2.0], [1.0, 1.0], [1.0, 3.0]]].concat();

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::Vec3;
-use crate::{Interrupt, Result, poll_now_and_then};
+use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
 /// Vertices nearer than this are one vertex: modellers repeat them per face, rounded to single precision.
 const WELD_M: f64 = 1e-5;
@@ -11,7 +11,9 @@ const WELD_M: f64 = 1e-5;
 /// For each vertex the number of the first vertex at the same place (within 10 µm).
 pub fn weld(vertices: &[Vec3], interrupt: Interrupt) -> Result<Vec<u32>> {
     let cell = |v: &Vec3| [0, 1, 2].map(|i| (v[i] / WELD_M).floor() as i64);
-    let mut first_in_cell: HashMap<[i64; 3], u32> = HashMap::with_capacity(vertices.len());
+    let mut first_in_cell: HashMap<[i64; 3], u32> = HashMap::new();
+    first_in_cell.grow(vertices.len(), interrupt)?;
+    room::<u32>(2 * vertices.len(), interrupt)?;
     vertices
         .iter()
         .enumerate()

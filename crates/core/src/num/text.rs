@@ -1,7 +1,7 @@
 //! Text forms that lose nothing: shortest decimals, hexadecimal bytes.
 
 use crate::error::{Error, Result};
-use crate::{Interrupt, poll};
+use crate::{Grow, Interrupt, poll, room};
 
 /// The shortest decimal that reads back as the same number; exponent form outside 1e-5…1e15.
 pub fn number(x: f64) -> String {
@@ -28,6 +28,7 @@ const PIECE: usize = 1 << 20;
 /// `prefix` and then the bytes in hexadecimal: the lossless text form of the variable-length types.
 pub fn to_hex(prefix: &str, bytes: &[u8], interrupt: Interrupt) -> Result<String> {
     const DIGITS: &[u8; 16] = b"0123456789abcdef";
+    room::<u8>(prefix.len() + 2 * bytes.len(), interrupt)?;
     let mut out = String::with_capacity(prefix.len() + 2 * bytes.len());
     out.push_str(prefix);
     for piece in bytes.chunks(PIECE) {
@@ -48,7 +49,8 @@ pub fn from_hex(ty: &'static str, prefix: &str, text: &[u8], interrupt: Interrup
         return Err(bad());
     }
     let nibble = |d: u8| (d as char).to_digit(16).map(|v| v as u8).ok_or_else(bad);
-    let mut out = Vec::with_capacity(digits.len() / 2);
+    let mut out = Vec::new();
+    out.grow(digits.len() / 2, interrupt)?;
     for piece in digits.chunks(PIECE) {
         poll(interrupt)?;
         for pair in piece.chunks_exact(2) {

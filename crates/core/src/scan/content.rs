@@ -4,7 +4,7 @@ use super::cluster::{angular_spacing, clusters, spacing};
 use super::tile::{mean_step, tiles};
 use super::{Header, Origins};
 use crate::geometry::Vec3;
-use crate::{Interrupt, Result};
+use crate::{Grow, Interrupt, Result, room};
 
 /// One laser beam relative to its origin.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,7 +68,12 @@ impl Content {
     }
 
     /// Adds the beams of another; a plane that only one of them has is lost.
-    pub fn append(&mut self, mut other: Self) {
+    pub fn append(&mut self, mut other: Self, interrupt: Interrupt) -> Result<()> {
+        let more = other.len();
+        self.beams.grow(more, interrupt)?;
+        self.starts.iter_mut().try_for_each(|s| s.grow(more, interrupt))?;
+        self.intensity.iter_mut().try_for_each(|p| p.grow(more, interrupt))?;
+        self.colour.iter_mut().try_for_each(|p| p.grow(more, interrupt))?;
         fn join<T>(mine: &mut Option<Vec<T>>, theirs: Option<Vec<T>>) {
             match (mine.as_mut(), theirs) {
                 (Some(m), Some(t)) => m.extend(t),
@@ -79,6 +84,7 @@ impl Content {
         join(&mut self.intensity, other.intensity);
         join(&mut self.colour, other.colour);
         self.beams.append(&mut other.beams);
+        Ok(())
     }
 
     /// Adds beams without return; they have neither intensity nor colour, for which their planes hold 0.
@@ -96,6 +102,7 @@ impl Content {
         match origins {
             Origins::One => tiles(&self.beams, interrupt),
             Origins::Each | Origins::Unknown => {
+                room::<Vec3>(self.len(), interrupt)?;
                 clusters(&(0..self.len()).map(|i| self.end(i)).collect::<Vec<Vec3>>(), interrupt)
             }
         }

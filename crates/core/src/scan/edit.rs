@@ -108,7 +108,7 @@ fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option
             let value = format!("at least {}", joint.len() + content.len());
             return Err(Error::Limit { what: "the number of beams of a union", value, limit: most.to_string() });
         }
-        joint.append(content);
+        joint.append(content, interrupt)?;
     }
     Ok(all)
 }

@@ -4,7 +4,7 @@ use super::{Beam, Content, Origins, Patch, Setting};
 use crate::error::{Error, Result};
 use crate::geometry::Vec3;
 use crate::num::bytes::{Put, Reader};
-use crate::{Interrupt, poll};
+use crate::{Grow, Interrupt, poll, room};
 
 /// Rows of one state: they are in memory, about 60 bytes each.
 pub const MAX_ROWS: usize = 10_000_000;
@@ -37,7 +37,7 @@ pub struct Gathered {
 
 impl Gathered {
     /// Adds a row. A second origin makes the rows those of a moving platform; a second station is an error.
-    pub fn push(&mut self, station: i64, r: &Return) -> Result<()> {
+    pub fn push(&mut self, station: i64, r: &Return, interrupt: Interrupt) -> Result<()> {
         let coordinates = r.point.iter().chain(r.origin.iter().flatten());
         if let Some(c) = coordinates.into_iter().find(|c| !(-1e9..=1e9).contains(*c)) {
             return Err(Error::argument("a scan coordinate", "finite and within 1e9 m", c));
@@ -54,6 +54,7 @@ impl Gathered {
         if start != Vec3::zeros() {
             self.move_from_here();
         }
+        self.make_room(interrupt)?;
         self.content.beams.push(Beam { offset: r.point - self.reference - start, returned: true });
         self.content.starts.iter_mut().for_each(|s| s.push(start));
         self.content.intensity.iter_mut().for_each(|p| p.push(r.intensity.unwrap_or_default()));
@@ -61,8 +62,17 @@ impl Gathered {
         Ok(())
     }
 
+    fn make_room(&mut self, interrupt: Interrupt) -> Result<()> {
+        let c = &mut self.content;
+        c.beams.grow(1, interrupt)?;
+        c.starts.iter_mut().try_for_each(|s| s.grow(1, interrupt))?;
+        c.intensity.iter_mut().try_for_each(|p| p.grow(1, interrupt))?;
+        c.colour.iter_mut().try_for_each(|p| p.grow(1, interrupt))
+    }
+
     /// Adds the rows of another, behind its own.
-    pub fn merge(&mut self, other: &Self) -> Result<()> {
+    pub fn merge(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
+        room::<[Return; 1]>(other.content.len(), interrupt)?;
         let Some(has_rays) = other.has_rays else { return Ok(()) };
         if self.has_rays.is_none() {
             *self = other.clone();
@@ -79,8 +89,7 @@ impl Gathered {
         } else {
             theirs.content.beams.iter_mut().for_each(|b| b.offset += shift);
         }
-        self.content.append(theirs.content);
-        Ok(())
+        self.content.append(theirs.content, interrupt)
     }
 
     /// From now on every row has an origin of its own.
@@ -130,9 +139,10 @@ impl Gathered {
     }
 
     /// For another process of this server.
-    pub fn to_bytes(&self) -> Vec<u8> {
+    pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
         let c = &self.content;
-        let mut out = Vec::with_capacity(64 + 24 * c.len());
+        let mut out = Vec::new();
+        out.grow(64 + 53 * c.len(), interrupt)?;
         let flags = [self.has_rays.is_some(), self.has_rays == Some(true), c.starts.is_some()];
         flags.iter().chain(&[c.intensity.is_some(), c.colour.is_some()]).for_each(|&f| out.push(f.into()));
         out.put_i64(self.station);
@@ -142,17 +152,18 @@ impl Gathered {
         c.starts.iter().flatten().for_each(|s| out.put_vec3(s));
         c.intensity.iter().flatten().for_each(|v| out.put(&v.to_le_bytes()));
         c.colour.iter().flatten().for_each(|v| out.put(v));
-        out
+        Ok(out)
     }
 
     /// The mirror of [`Gathered::to_bytes`].
-    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+    pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
         let mut r = Reader::new(bytes, TY);
         let [some, rays, starts, intensity, colour] = [r.u8()?, r.u8()?, r.u8()?, r.u8()?, r.u8()?].map(|f| f != 0);
         let (station, reference, n) = (r.i64()?, r.vec3()?, r.u32()? as usize);
         if n > MAX_ROWS {
             return Err(r.bad(format!("{n} rows")));
         }
+        room::<[Return; 2]>(n, interrupt)?;
         let mut vectors = || (0..n).map(|_| r.vec3()).collect::<Result<Vec<Vec3>>>();
         let beams = vectors()?.into_iter().map(|offset| Beam { offset, returned: true }).collect();
         let starts = starts.then(vectors).transpose()?;
@@ -192,8 +203,8 @@ mod tests {
 
     fn gathered(rows: &[Return]) -> Gathered {
         let mut g = Gathered::default();
-        rows.iter().for_each(|r| g.push(3, r).unwrap());
-        Gathered::from_bytes(&g.to_bytes()).unwrap()
+        rows.iter().for_each(|r| g.push(3, r, NEVER).unwrap());
+        Gathered::from_bytes(&g.to_bytes(NEVER).unwrap(), NEVER).unwrap()
     }
 
     proptest! {
@@ -202,7 +213,7 @@ mod tests {
             let rows = rows(kind, n);
             let (a, b) = rows.split_at(at.min(n));
             let mut merged = gathered(a);
-            merged.merge(&gathered(b)).unwrap();
+            merged.merge(&gathered(b), NEVER).unwrap();
             let patches = merged.patches(NEVER).unwrap();
             let mut back: Vec<(u16, [u8; 3], Vec3, Option<Vec3>)> = Vec::new();
             for patch in &patches {
@@ -224,17 +235,17 @@ mod tests {
 
         #[test]
         fn damaged_states_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
-            let _ = Gathered::from_bytes(&bytes);
+            let _ = Gathered::from_bytes(&bytes, NEVER);
         }
     }
 
     #[test]
     fn what_does_not_belong_together() {
         let mut g = gathered(&rows(1, 5));
-        assert!(g.push(4, &rows(1, 1)[0]).is_err());
-        assert!(g.push(3, &rows(0, 1)[0]).is_err());
-        assert!(g.push(3, &Return { point: Vec3::repeat(f64::NAN), ..rows(1, 1)[0] }).is_err());
-        assert!(g.merge(&gathered(&rows(0, 5))).is_err());
+        assert!(g.push(4, &rows(1, 1)[0], NEVER).is_err());
+        assert!(g.push(3, &rows(0, 1)[0], NEVER).is_err());
+        assert!(g.push(3, &Return { point: Vec3::repeat(f64::NAN), ..rows(1, 1)[0] }, NEVER).is_err());
+        assert!(g.merge(&gathered(&rows(0, 5)), NEVER).is_err());
         assert_eq!(g, gathered(&rows(1, 5)));
     }
 }

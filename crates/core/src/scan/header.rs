@@ -146,7 +146,11 @@ impl Header {
         if flags & !known != 0 || flags & origins == origins {
             return Err(r.bad(format!("flags {flags:#04x}")));
         }
-        if version < 3 { Self::read_flat(flags, r) } else { Self::read_content(flags, sections::header(bytes, TY, NEVER)?) }
+        if version < 3 {
+            Self::read_flat(flags, r)
+        } else {
+            Self::read_content(flags, sections::header(bytes, TY, NEVER)?)
+        }
     }
 
     /// From the content of its section on.

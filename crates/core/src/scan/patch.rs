@@ -86,10 +86,11 @@ impl Patch {
 
 fn read(bytes: &[u8], all_planes: bool) -> Result<(Header, Content)> {
     let header = Header::read(bytes)?;
-    let content = Header::payload(bytes).and_then(|payload| decode(&header, payload, all_planes)).map_err(|e| match e {
-        Error::Binary { reason, .. } => Error::corrupted(TY, reason),
-        other => other,
-    })?;
+    let content =
+        Header::payload(bytes).and_then(|payload| decode(&header, payload, all_planes)).map_err(|e| match e {
+            Error::Binary { reason, .. } => Error::corrupted(TY, reason),
+            other => other,
+        })?;
     Ok((header, content))
 }
 

@@ -9,7 +9,7 @@ use super::model::EvidenceModel;
 use super::observe::{Heard, Observations, Seen};
 use crate::num::normal::cdf;
 use crate::num::stats::median;
-use crate::{Interrupt, Result, poll, poll_now_and_then};
+use crate::{Interrupt, Result, poll, poll_now_and_then, room};
 
 /// Share of a surface's seen samples that must follow one course for that course to be the built surface: of those
 /// that nothing in front of it hides …
@@ -68,6 +68,8 @@ impl Built {
     /// Fits every smooth surface of the object.
     pub fn of(e: &Evidence, model: &EvidenceModel, interrupt: Interrupt) -> Result<Self> {
         let observations = Observations::of(e, model, interrupt)?;
+        // What a course is fitted through: a place and a deviation a sample.
+        room::<[f64; 6]>(observations.seen.len(), interrupt)?;
         let mut own = vec![f32::NAN; observations.seen.len()];
         let mut heard = vec![Heard::default(); observations.surfaces.len()];
         for (face, surface) in e.samples.surface_of_face.iter().enumerate() {

@@ -176,13 +176,7 @@ fn finite_position(r: &mut Reader) -> Result<[f32; 3]> {
     if p.iter().all(|c| c.is_finite()) { Ok(p) } else { Err(r.bad("a sample is not finite")) }
 }
 
-fn read_blocks(
-    r: &mut Reader,
-    count: usize,
-    faces: usize,
-    samples: usize,
-    interrupt: Interrupt,
-) -> Result<Vec<Block>> {
+fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize, interrupt: Interrupt) -> Result<Vec<Block>> {
     let mut start = 0u64;
     let mut out = Vec::new();
     out.grow(count, interrupt)?;

@@ -6,7 +6,7 @@ use super::reading::{Body, Reading, mass_of};
 use crate::evidence::{LogCommonality, Mass};
 use crate::geometry::Vec3;
 use crate::num::sort::sort;
-use crate::{Interrupt, Result, poll};
+use crate::{Grow, Interrupt, Result, poll, room};
 
 /// A sample that enough beams spoke about.
 #[derive(Debug, Clone, Copy)]
@@ -67,6 +67,8 @@ impl Observations {
                 let at = block.start as usize + i;
                 reading.read(&heard, i, &e.samples.position(at), normal, model);
                 if reading.seen {
+                    out.seen.grow(1, interrupt)?;
+                    out.bodies.grow(reading.bodies.len(), interrupt)?;
                     out.push(e.samples.positions[at], block.face, &reading, model);
                 } else {
                     out.before_unseen += u64::from(Body::that_met(&reading.bodies).is_some_and(|b| b.deviation > 0.0));
@@ -101,6 +103,7 @@ impl Observations {
         // Samples come face by face; only the facets of curved surfaces lie apart.
         if !self.seen.is_sorted_by_key(key) {
             let place = |(i, s): (usize, &Seen)| (key(s), i as u32);
+            room::<[Seen; 2]>(self.seen.len(), interrupt)?;
             let mut order: Vec<_> = self.seen.iter().enumerate().map(place).collect();
             sort(&mut order, interrupt)?;
             self.seen = order.into_iter().map(|(_, i)| self.seen[i as usize]).collect();

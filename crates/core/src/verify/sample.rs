@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::geometry::{Faces, Solid, Vec3, group_faces};
 use crate::num::sort::sort;
-use crate::{Interrupt, poll_now_and_then};
+use crate::{Grow, Interrupt, poll_now_and_then, room};
 
 /// Samples of one block at the most. Blocks are culled as a whole.
 pub const BLOCK: usize = 64;
@@ -90,6 +90,8 @@ impl Samples {
     fn push_face(&mut self, face: u32, points: &[Vec3], interrupt: Interrupt) -> Result<()> {
         for run in points.chunks(BLOCK) {
             poll_now_and_then(self.blocks.len(), interrupt)?;
+            self.blocks.grow(1, interrupt)?;
+            self.positions.grow(run.len(), interrupt)?;
             self.blocks.push(Block { start: self.positions.len() as u32, len: run.len() as u32, face });
             self.positions.extend(run.iter().map(|p| {
                 let local = p - self.reference;
@@ -170,7 +172,9 @@ fn spread(solid: &Solid, faces: &Faces, spacing: f64, interrupt: Interrupt, out:
             let (u, v) = r2(i);
             // Fold the unit square onto the triangle.
             let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
-            out[face as usize].push(a + (b - a) * u + (c - a) * v);
+            let points = &mut out[face as usize];
+            points.grow(1, interrupt)?;
+            points.push(a + (b - a) * u + (c - a) * v);
         }
     }
     if out.iter().all(Vec::is_empty) {
@@ -196,12 +200,14 @@ fn sort_along_curve(points: &mut Vec<Vec3>, normal: &Vec3, spacing: f64, interru
     let (i, j) = ((drop + 1) % 3, (drop + 2) % 3);
     let low = points.iter().fold([f64::INFINITY; 2], |l, p| [l[0].min(p[i]), l[1].min(p[j])]);
     let cell = |x: f64, lo: f64| ((x - lo) / spacing) as u32;
-    let mut order = Vec::with_capacity(points.len());
+    let mut order = Vec::new();
+    order.grow(points.len(), interrupt)?;
     for (k, p) in points.iter().enumerate() {
         poll_now_and_then(k, interrupt)?;
         order.push((hilbert(cell(p[i], low[0]), cell(p[j], low[1])), k as u32));
     }
     sort(&mut order, interrupt)?;
+    room::<Vec3>(points.len(), interrupt)?;
     *points = order.into_iter().map(|(_, k)| points[k as usize]).collect();
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! A solid made ready for beams: its triangles, who their neighbours are, and balls to cull them by.
 
 use crate::geometry::{Adjacency, BLUNT_EDGE_COS, Closedness, Solid, Vec3};
-use crate::{Interrupt, Result, poll_now_and_then};
+use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
 /// Triangles of one culling chunk.
 const CHUNK: usize = 32;
@@ -41,7 +41,9 @@ impl Target {
     /// Sorts the triangles with an area into chunks of neighbours.
     pub fn new(solid: &Solid, interrupt: Interrupt) -> Result<Self> {
         let count = solid.triangles().len();
-        let mut triangles = Vec::with_capacity(count);
+        let mut triangles = Vec::new();
+        triangles.grow(count, interrupt)?;
+        room::<[u64; 4]>(count, interrupt)?;
         let mut place = vec![Triangle::NONE; count];
         for (t, place) in place.iter_mut().enumerate() {
             poll_now_and_then(t, interrupt)?;

@@ -46,12 +46,7 @@ impl Settings {
 
 impl Change {
     /// Compares the voxels that both tiles have. The older side may be a drawn model, the newer one too.
-    pub fn between(
-        old: &Occupancy,
-        new: &Occupancy,
-        settings: Settings,
-        interrupt: Interrupt,
-    ) -> Result<Self> {
+    pub fn between(old: &Occupancy, new: &Occupancy, settings: Settings, interrupt: Interrupt) -> Result<Self> {
         old.grid.same_lattice(&new.grid)?;
         let span = old.span.common(&new.span);
         let judge = Judge { sides: [old, new], settings, steps: settings.steps(old.grid.voxel)?, span };

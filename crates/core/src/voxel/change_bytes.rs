@@ -57,9 +57,7 @@ impl Change {
         }
         let against_model = header.notes[0] == 1;
         let mut out = Self { grid: header.grid, settings, against_model, blocks: Default::default() };
-        read_blocks(r, &header, interrupt, |r, flags, key| {
-            out.insert(key, read_classes(r, flags)?, interrupt)
-        })?;
+        read_blocks(r, &header, interrupt, |r, flags, key| out.insert(key, read_classes(r, flags)?, interrupt))?;
         Ok(out)
     }
 }

@@ -24,13 +24,7 @@ pub struct Component {
 impl Change {
     /// The connected parts of a class with at least `least` voxels, largest first. Two voxels hang together when the gap
     /// between them is less than `gap` metres; 0 for those that touch, were it at a corner.
-    pub fn components(
-        &self,
-        class: Class,
-        least: u64,
-        gap: f64,
-        interrupt: Interrupt,
-    ) -> Result<Vec<Component>> {
+    pub fn components(&self, class: Class, least: u64, gap: f64, interrupt: Interrupt) -> Result<Vec<Component>> {
         if !(0.0..=8.0 * self.grid.voxel).contains(&gap) {
             return Err(Error::argument("the gap", "from 0 to 8 voxels", format!("{gap} m")));
         }

@@ -165,13 +165,7 @@ impl Mask {
     }
 
     /// A column whose crossings do not add up: it passes through a seam of the mesh. A little aside it does not.
-    fn fill_seam(
-        &mut self,
-        column: [i64; 2],
-        local: &Local,
-        span: &Span,
-        interrupt: Interrupt,
-    ) -> Result<()> {
+    fn fill_seam(&mut self, column: [i64; 2], local: &Local, span: &Span, interrupt: Interrupt) -> Result<()> {
         for attempt in 1..=ATTEMPTS {
             let aside = 1e-7 * f64::from(attempt * attempt);
             let [z, y] = column;
@@ -295,13 +289,7 @@ impl<'a> Local<'a> {
     /// The crossings of columns `y` in layers `z`, sorted by column and then along it. Edges are half-open and each is
     /// evaluated alike for both its triangles, so that a closed mesh is crossed an even number of times; `aside` moves
     /// the columns off their centres.
-    fn crossings(
-        &self,
-        z: [i64; 2],
-        y: [i64; 2],
-        aside: f64,
-        interrupt: Interrupt,
-    ) -> Result<Vec<Crossing>> {
+    fn crossings(&self, z: [i64; 2], y: [i64; 2], aside: f64, interrupt: Interrupt) -> Result<Vec<Crossing>> {
         let mut out = Vec::new();
         for t in 0..self.solid.triangles().len() {
             poll_now_and_then(t, interrupt)?;

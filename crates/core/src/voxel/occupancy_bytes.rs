@@ -57,9 +57,7 @@ impl Occupancy {
             [1, 0] => Self::of_model(header.grid),
             other => return Err(r.bad(format!("notes {other:?}"))),
         };
-        read_blocks(r, &header, interrupt, |r, flags, key| {
-            out.insert(key, read_block(r, flags)?, interrupt)
-        })?;
+        read_blocks(r, &header, interrupt, |r, flags, key| out.insert(key, read_block(r, flags)?, interrupt))?;
         Ok(out)
     }
 }

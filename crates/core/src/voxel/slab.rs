@@ -6,8 +6,8 @@ use super::blocks::{Bits, block_of};
 use super::fan::Fan;
 use super::grid::{Grid, Span};
 use super::occupancy::Occupancy;
-use crate::{Interrupt, Result, poll};
 use crate::geometry::Vec3;
+use crate::{Interrupt, Result, poll};
 
 /// Voxels of a slab along its axis: a row of the bit map is one word.
 const DEPTH: i64 = 64;
@@ -260,13 +260,7 @@ impl Bundle {
     }
 
     /// The part of a line inside a slab, voxel by voxel.
-    fn carve_part(
-        &self,
-        occupancy: &mut Occupancy,
-        line: &Line,
-        slab: [i64; 2],
-        interrupt: Interrupt,
-    ) -> Result<()> {
+    fn carve_part(&self, occupancy: &mut Occupancy, line: &Line, slab: [i64; 2], interrupt: Interrupt) -> Result<()> {
         match line.within(slab) {
             None => poll(interrupt),
             Some([from, to]) => {
