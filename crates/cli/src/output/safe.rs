@@ -35,7 +35,7 @@ fn masked(text: &str) -> String {
         // A password may hold anything, blanks and signs of others too.
         let ours = ["postgres://", "postgresql://"].iter().any(|s| out[..at].to_ascii_lowercase().ends_with(s));
         let end = if ours { out.len() } else { at + out[at..].find([' ', '"', '\n']).unwrap_or(out.len() - at) };
-        let colon = out[at..end].find(':').map(|i| at + i + 1);
+        let colon = out[at..end].find([':', '@', '/', ' ']).map(|i| at + i + 1).filter(|&i| out[..i].ends_with(':'));
         match (colon, out[at..end].rfind('@').map(|i| at + i)) {
             (Some(start), Some(end)) if start <= end => {
                 out.replace_range(start..end, "***");
@@ -86,7 +86,7 @@ mod tests {
     fn passwords_are_masked() {
         for (text, shown) in [
             ("postgres://me:sec@ret@h:5/db no", "postgres://me:***@h:5/db no"),
-            ("postgres://me@h:5/db", "postgres://me@h:5/db"),
+            ("postgres://me@h:5/db or @ : %", "postgres://me@h:5/db or @ : %"),
             ("'postgresql://me:a b\"c@h/db' found", "'postgresql://me:***@h/db' found"),
             ("see http://h:80/x or a@b", "see http://h:80/x or a@b"),
             ("host=h password='a b\\'c' user=u", "host=h password=*** user=u"),
