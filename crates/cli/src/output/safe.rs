@@ -36,12 +36,16 @@ fn masked(text: &str) -> String {
         let ours = ["postgres://", "postgresql://"].iter().any(|s| out[..at].to_ascii_lowercase().ends_with(s));
         let end = if ours { out.len() } else { at + out[at..].find([' ', '"', '\n']).unwrap_or(out.len() - at) };
         let colon = out[at..end].find([':', '@', '/', ' ']).map(|i| at + i + 1).filter(|&i| out[..i].ends_with(':'));
-        match (colon, out[at..end].rfind('@').map(|i| at + i)) {
-            (Some(start), Some(end)) if start <= end => {
-                out.replace_range(start..end, "***");
-                from = start + 3;
-            }
-            _ => from = at,
+        let sign = out[at..end].rfind('@').map(|i| at + i);
+        let masked = match (colon, sign) {
+            (Some(start), Some(end)) if start <= end => Some((start, end)),
+            (Some(start), None) if ours && !is_port(&out[start..]) => Some((start, end)),
+            _ => None,
+        };
+        from = at;
+        if let Some((start, end)) = masked {
+            out.replace_range(start..end, "***");
+            from = start + 3;
         }
     }
     from = 0;
@@ -56,6 +60,12 @@ fn masked(text: &str) -> String {
         }
     }
     out
+}
+
+/// Whether a text begins with the number of a port, and not with a password whose @ was forgotten.
+fn is_port(text: &str) -> bool {
+    let after = text.trim_start_matches(|c: char| c.is_ascii_digit());
+    after.len() < text.len() && (after.is_empty() || after.starts_with(['/', '?', ' ', '\'', '"', ',', ':']))
 }
 
 /// Bytes of a value of a connection string or of the query of a URL: quoted with its quotes, else to the next blank or `&`.
@@ -89,6 +99,8 @@ mod tests {
             ("postgres://me@h:5/db or @ : %", "postgres://me@h:5/db or @ : %"),
             ("'postgresql://me:a b\"c@h/db' found", "'postgresql://me:***@h/db' found"),
             ("see http://h:80/x or a@b", "see http://h:80/x or a@b"),
+            ("postgres://h:5432/db", "postgres://h:5432/db"),
+            ("postgres://me:secret#h", "postgres://me:***"),
             ("host=h password='a b\\'c' user=u", "host=h password=*** user=u"),
             ("host=h PASSWORD = secret", "host=h PASSWORD = ***"),
             ("postgres://h/db?password=x%20y&user=u", "postgres://h/db?password=***&user=u"),
