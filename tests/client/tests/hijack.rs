@@ -88,8 +88,8 @@ fn plants() -> Vec<(&'static str, String)> {
         ),
         (
             "type text",
-            evil("h(pg_catalog.text)", "boolean")
-                + "CREATE DOMAIN public.text AS pg_catalog.text CHECK (public.h(VALUE))",
+            evil("k(pg_catalog.text)", "boolean")
+                + "CREATE DOMAIN public.text AS pg_catalog.text CHECK (public.k(VALUE))",
         ),
     ]
 }
@@ -202,8 +202,8 @@ fn tables_of_others_are_refused() {
         (out.status.success(), said(&out))
     };
     let mut mallory = db.connect_as(&roles[1]);
-    let trigger = evil("t()", "trigger")
-        + "CREATE TRIGGER t BEFORE INSERT ON public.station FOR EACH ROW EXECUTE FUNCTION public.t();";
+    let trigger = "CREATE TRIGGER t BEFORE INSERT ON public.station FOR EACH ROW EXECUTE FUNCTION public.t();";
+    mallory.batch_execute(&evil("t()", "trigger")).unwrap();
     mallory.batch_execute(&format!("{STATION} GRANT ALL ON public.station TO PUBLIC; {trigger}")).unwrap();
     // A superuser is not taken in either, although PostgreSQL says that it is a member of every role.
     for user in [&roles[0], "postgres"] {
@@ -249,7 +249,7 @@ fn tables_of_others_are_refused() {
     assert!(done, "{said}");
     // Who may make triggers on it runs nothing as others.
     root.batch_execute(&format!("GRANT TRIGGER ON public.station TO {}", &roles[1])).unwrap();
-    mallory.batch_execute(&trigger).unwrap();
+    mallory.batch_execute(trigger).unwrap();
     let (done, said) = load(&roles[0], &[]);
     assert!(!done && said.contains("trigger") && !said.contains("HIJACKED"), "{said}");
     std::fs::remove_file(scan).unwrap();

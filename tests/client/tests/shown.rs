@@ -97,7 +97,6 @@ fn messages_and_errors() {
         &["load", text(&bad)][..],
         &["load", text(&dir.join("no\u{1b}where.xyz"))],
         &["load", text(&dir.join("x.\u{1b}doc"))],
-        &["verify", "--loa", "\u{1b}[31m"],
         &["verify", "--model", "\u{1b}[31m\nasbuilt: fine"],
         &["verify", "--schema", "\u{1b}[31m"],
     ] {
