@@ -80,6 +80,7 @@ fn names_of_objects() {
 #[test]
 fn messages_and_errors() {
     let db = Database::new("shown_errors");
+    db.asbuilt(&["load", text(&project("demo/pavilion.ifc"))]);
     let dir = scratch("odd");
     std::fs::create_dir_all(&dir).unwrap();
     let odd = |name: &str, content: &str| {
