@@ -1,7 +1,7 @@
 //! `asbuilt`: load models and laser scans into PostgreSQL, verify, compare epochs, simulate.
 //!
 //! * [`commands`]: what the user calls, one file each;
-//! * [`read`]: file formats;
+//! * [`read`]: file formats, each read by a child process under a budget of [`memory`];
 //! * [`stations`]: from points read to packed patches;
 //! * [`database`]: connection, tables, COPY;
 //! * [`change`]: two epochs compared in voxels;
@@ -12,12 +12,13 @@ mod change;
 mod commands;
 mod database;
 mod forecast;
+mod memory;
 mod output;
 mod read;
 mod stations;
 
 use clap::{Parser, Subcommand};
-use output::say;
+use output::{say, say_error};
 
 #[derive(Parser)]
 #[command(
@@ -58,19 +59,34 @@ enum Command {
     /// Mesh an IFC file and write the products to standard output (the loader's child process)
     #[command(hide = true)]
     MeshIfc(commands::mesh_ifc::MeshIfcArgs),
+    /// Read a file of scans and write packed patches to standard output (the loader's child process)
+    #[command(hide = true)]
+    ReadScan(read::child::Job),
 }
 
 fn main() {
-    let result = match Cli::parse().command {
+    let result = match arguments().command {
         Command::Load(args) => commands::load::run(&args),
         Command::Verify(args) => commands::verify::run(&args),
         Command::Change(args) => commands::change::run(&args),
         Command::Forecast(args) => commands::forecast::run(&args),
         Command::Simulate(args) => commands::simulate::run(&args),
         Command::MeshIfc(args) => commands::mesh_ifc::run(&args),
+        Command::ReadScan(job) => commands::read_scan::run(&job),
     };
     if let Err(error) = result {
-        say!("asbuilt: {error:#}");
+        say_error("asbuilt", &error);
         std::process::exit(1);
     }
+}
+
+/// The command line. What is wrong with it is quoted from it: a name that a shell put in, a URL with a password.
+fn arguments() -> Cli {
+    Cli::try_parse().unwrap_or_else(|error| {
+        if !error.use_stderr() {
+            error.exit();
+        }
+        error.render().to_string().lines().for_each(|line| say!("{line}"));
+        std::process::exit(2);
+    })
 }

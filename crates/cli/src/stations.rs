@@ -17,6 +17,21 @@ pub struct Packed {
     pub points: Aabb,
 }
 
+/// [`Packed`] as plain numbers, between processes.
+type Numbers = ([u64; 3], [[f64; 3]; 2]);
+
+impl Packed {
+    pub fn to_bytes(self) -> Result<Vec<u8>> {
+        let numbers: Numbers = ([self.beams, self.no_returns, self.too_near], [self.points.min, self.points.max]);
+        Ok(postcard::to_stdvec(&numbers)?)
+    }
+
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+        let ([beams, no_returns, too_near], [min, max]): Numbers = postcard::from_bytes(bytes)?;
+        Ok(Self { beams, no_returns, too_near, points: Aabb { min, max } })
+    }
+}
+
 /// Drops what lies nearer than `min_range` (the scanner's own platform), cuts the rest into tiles and packs them
 /// in parallel; calls `sink` with each patch's bytes in a fixed order.
 pub fn pack(

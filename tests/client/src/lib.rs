@@ -75,6 +75,18 @@ impl Database {
         c
     }
 
+    /// The same as another user, whose search path this is.
+    pub fn command_as(&self, user: &str, path: &str, args: &[&str]) -> Command {
+        let mut c = self.command(args);
+        c.env("PGUSER", user).env("PGOPTIONS", format!("-c search_path={path}"));
+        c
+    }
+
+    /// Connects as another user.
+    pub fn connect_as(&self, user: &str) -> Client {
+        config(&self.name).user(user).connect(NoTls).unwrap()
+    }
+
     /// Calls `asbuilt` and expects success; returns what it said on standard error.
     pub fn asbuilt(&self, args: &[&str]) -> String {
         let out = self.command(args).output().unwrap();
@@ -108,6 +120,43 @@ impl Drop for Database {
     fn drop(&mut self) {
         if let Ok(mut admin) = config("postgres").connect(NoTls) {
             let _ = admin.batch_execute(&format!("DROP DATABASE IF EXISTS {} WITH (FORCE)", self.name));
+        }
+    }
+}
+
+/// Roles of a test's own, dropped at the end with what they own in this database.
+pub struct Roles<'a> {
+    db: &'a Database,
+    names: Vec<String>,
+}
+
+impl<'a> Roles<'a> {
+    pub fn new(db: &'a Database, names: &[&str]) -> Self {
+        let names: Vec<String> = names.iter().map(|n| format!("{n}_{}", db.name())).collect();
+        let mut client = db.connect();
+        for name in &names {
+            client.batch_execute(&format!("CREATE ROLE {name} LOGIN; GRANT ALL ON SCHEMA public TO {name}")).unwrap();
+        }
+        Self { db, names }
+    }
+}
+
+impl std::ops::Index<usize> for Roles<'_> {
+    type Output = str;
+
+    fn index(&self, i: usize) -> &str {
+        &self.names[i]
+    }
+}
+
+impl Drop for Roles<'_> {
+    fn drop(&mut self) {
+        let mut client = self.db.connect();
+        for name in &self.names {
+            let _ = client.batch_execute(&format!(
+                "ALTER DATABASE {} OWNER TO CURRENT_USER; DROP OWNED BY {name} CASCADE; DROP ROLE {name}",
+                self.db.name()
+            ));
         }
     }
 }

@@ -6,15 +6,13 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail};
 use asbuilt_core::NEVER;
-use asbuilt_core::geometry::Vec3;
-use asbuilt_core::voxel::{Change, Class};
+use asbuilt_core::geometry::{Aabb, Vec3};
+use asbuilt_core::voxel::Class;
 use las::{Builder, Color, Point, Transform, Vector, Writer};
 use ply_rs_bw::ply::{Addable, ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult};
 use ply_rs_bw::ply::{PropertyDef, PropertyType, ScalarType};
-use postgres::Client;
-use postgres::fallible_iterator::FallibleIterator;
 
-use crate::database::connect::explain;
+use super::tiles::Tile;
 
 /// Red, green, blue.
 fn colour(class: Class) -> [u8; 3] {
@@ -47,13 +45,11 @@ pub fn check(path: &Path) -> Result<()> {
     kind(path).map(|_| ())
 }
 
-/// Writes the centres of all voxels of the comparison in `asbuilt_change`; returns their number.
-pub fn write(client: &mut Client, path: &Path) -> Result<u64> {
-    let total = "SELECT coalesce(sum(s.total), 0)::bigint FROM asbuilt_change c, LATERAL ab_summary(c.change) s";
-    let count = client.query_one(total, &[]).map_err(explain)?.get::<_, i64>(0) as u64;
+/// Writes the centres of all voxels of the comparison, which are so many; returns their number.
+pub fn write(tiles: &[Tile], count: u64, path: &Path) -> Result<u64> {
     // A file that is cut short is not left behind under the name asked for.
     let part = PathBuf::from(format!("{}.part", path.display()));
-    let written = write_all(client, kind(path)?, path, &part, count);
+    let written = write_all(tiles, kind(path)?, path, &part, count);
     match written {
         Ok(()) => std::fs::rename(&part, path).with_context(|| format!("cannot write {}", path.display()))?,
         Err(_) => drop(std::fs::remove_file(&part)),
@@ -61,19 +57,14 @@ pub fn write(client: &mut Client, path: &Path) -> Result<u64> {
     written.map(|()| count)
 }
 
-fn write_all(client: &mut Client, kind: Kind, path: &Path, part: &Path, count: u64) -> Result<()> {
+fn write_all(tiles: &[Tile], kind: Kind, path: &Path, part: &Path, count: u64) -> Result<()> {
     let file = File::create(part).with_context(|| format!("cannot write {}", part.display()))?;
-    let corner =
-        "SELECT min((ab_min(ab_box(change)))[1]), min((ab_min(ab_box(change)))[2]), min((ab_min(ab_box(change)))[3])
-                  FROM asbuilt_change";
-    let row = client.query_one(corner, &[]).map_err(explain)?;
     // LAS counts steps of 0.1 mm in 32 bits: from a round coordinate nearby.
-    let offset = [0, 1, 2].map(|i| row.get::<_, Option<f64>>(i).unwrap_or(0.0).floor());
+    let corner = tiles.iter().fold(Aabb::EMPTY, |a, t| a.union(&t.bounds)).min;
+    let offset = corner.map(|c| if c.is_finite() { c.floor() } else { 0.0 });
     let mut sink = Sink::new(kind, path, BufWriter::with_capacity(1 << 20, file), count, offset)?;
-    let sql = "SELECT ab_change_send(change) FROM asbuilt_change";
-    let mut rows = client.query_raw(sql, std::iter::empty::<i32>()).map_err(explain)?;
-    while let Some(row) = rows.next().map_err(explain)? {
-        let change = Change::from_bytes(row.get(0), usize::MAX, NEVER)?;
+    for tile in tiles {
+        let change = tile.change()?;
         let mut result = Ok(());
         change.for_each(NEVER, |voxel, class| {
             if result.is_ok() {

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use anyhow::{Result, bail};
 use asbuilt_core::voxel::Grid;
-use postgres::Client;
+use postgres::IsolationLevel;
 
 use crate::change::export;
-use crate::change::report::Report;
+use crate::change::tally::{Parts, Report};
 use crate::change::tiles::{Comparison, Old, compare};
-use crate::database::connect::{DatabaseArgs, explain};
+use crate::database::connect::{Database, DatabaseArgs, explain};
 use crate::database::tables;
 use crate::output::{Format, count, say};
 
@@ -24,6 +24,9 @@ A change counts only if the other epoch has nothing occupied within the toleranc
 it touches, or that lie within the tolerance of these. Components are what is new or gone as connected things, with
 the objects whose boxes they meet. A threshold of 3 wants about three returns a voxel: with sparse scans, take larger
 voxels or --threshold 1.
+
+CSV is guarded against spreadsheets: a text that begins with = + - @, a tab or a carriage return gets an apostrophe
+before it, numbers never; --format csv-exact writes everything as it is.
 
 Examples:
   asbuilt change --from 1 --to 2
@@ -89,14 +92,17 @@ pub fn run(args: &ChangeArgs) -> Result<()> {
         export::check(path)?;
     }
     let comparison = comparison(args)?;
-    let mut client = args.database.connect()?;
-    tables::check_search_path(&mut client)?;
-    check_epochs(&mut client, args)?;
-    compare(&mut client, &comparison)?;
-    let report = Report::ask(&mut client, comparison.voxel, comparison.tolerance(), args.min_voxels, args.gap)?;
+    let Ok(least) = u64::try_from(args.min_voxels) else { bail!("--min-voxels {} must be 0 or more", args.min_voxels) };
+    let mut db = args.database.connect()?;
+    check_epochs(&mut db, args)?;
+    // All tiles see the same data, and nothing is written: a hot standby answers too.
+    let one_view = db.client.build_transaction().read_only(true).isolation_level(IsolationLevel::RepeatableRead);
+    let mut tx = one_view.start().map_err(explain)?;
+    let tiles = compare(&mut tx, &db.names, &comparison)?;
+    let report = Report::of(&mut tx, &db.names, &tiles, comparison.tolerance(), &Parts { least, gap: args.gap })?;
+    tx.rollback().map_err(explain)?;
     if let Some(path) = &args.export {
-        let voxels = export::write(&mut client, path)?;
-        say!("{}: {} voxels", path.display(), count(voxels));
+        say!("{}: {} voxels", path.display(), count(export::write(&tiles, report.total.iter().sum(), path)?));
     }
     report.print(args.format)
 }
@@ -122,14 +128,14 @@ fn comparison(args: &ChangeArgs) -> Result<Comparison> {
     })
 }
 
-fn check_epochs(client: &mut Client, args: &ChangeArgs) -> Result<()> {
-    tables::check_loaded(client)?;
+fn check_epochs(db: &mut Database, args: &ChangeArgs) -> Result<()> {
+    tables::check_loaded(db)?;
     for epoch in args.from.iter().chain([&args.to]) {
-        tables::check_epoch(client, *epoch)?;
+        tables::check_epoch(db, *epoch)?;
     }
     if args.model {
-        let drawn = "SELECT EXISTS (SELECT FROM building_object WHERE solid IS NOT NULL)";
-        if !client.query_one(drawn, &[]).map_err(explain)?.get::<_, bool>(0) {
+        let drawn = db.sql("SELECT EXISTS (SELECT FROM @building_object WHERE solid IS NOT NULL)");
+        if !db.client.query_one(&drawn, &[]).map_err(explain)?.get::<_, bool>(0) {
             bail!("there is no model to compare with; load one: asbuilt load MODEL.ifc");
         }
     }

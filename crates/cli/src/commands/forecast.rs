@@ -14,6 +14,7 @@ use serde_json::Value;
 use super::simulate::read_stations;
 use crate::forecast::next::{Unseen, best_place};
 use crate::forecast::room::Room;
+use crate::memory;
 use crate::output::{Format, Table, rounded, say, spinner};
 use crate::read::ifc;
 
@@ -27,6 +28,9 @@ what is in the model hides: furniture and people come on top.
 
 Then the place is printed from which one more station would see most of what is still unseen; with --next 3 three of
 them, each knowing the ones before.
+
+CSV is guarded against spreadsheets: a text that begins with = + - @, a tab or a carriage return gets an apostrophe
+before it, numbers never; --format csv-exact writes everything as it is.
 
 Examples:
   asbuilt forecast model.ifc --stations plan.txt --sensor hybrid --sigma-station 0.002
@@ -117,7 +121,7 @@ fn model(args: &ForecastArgs) -> Result<EvidenceModel> {
 }
 
 fn objects(args: &ForecastArgs) -> Result<Vec<Object>> {
-    let read = ifc::read(&args.model, Duration::from_secs(300))?;
+    let read = ifc::read(&args.model, Duration::from_secs(300), memory::budget())?;
     let mut out = Vec::new();
     for p in &read.products {
         let solid = p.solid().with_context(|| p.name.clone())?;

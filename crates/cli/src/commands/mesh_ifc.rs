@@ -8,8 +8,11 @@ use anyhow::Result;
 pub struct MeshIfcArgs {
     /// IFC file
     file: PathBuf,
+    /// Bytes
+    #[arg(long)]
+    max_memory: u64,
 }
 
 pub fn run(args: &MeshIfcArgs) -> Result<()> {
-    crate::read::ifc::answer(&args.file)
+    crate::read::ifc::answer(&args.file, args.max_memory)
 }

@@ -4,5 +4,6 @@ pub mod change;
 pub mod forecast;
 pub mod load;
 pub mod mesh_ifc;
+pub mod read_scan;
 pub mod simulate;
 pub mod verify;

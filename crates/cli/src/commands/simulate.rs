@@ -8,6 +8,7 @@ use asbuilt_core::geometry::Vec3;
 use asbuilt_core::num::text::numbers;
 use asbuilt_simulate::{Changes, Drawn, Scanner, Scene, write_e57};
 
+use crate::memory;
 use crate::output::{count, progress, say, spinner};
 use crate::read::ifc::{self, Product};
 
@@ -66,7 +67,7 @@ pub fn run(args: &SimulateArgs) -> Result<()> {
     check_size(&scanner, stations.len())?;
     let changes = args.built.as_deref().map_or_else(|| Ok(Changes::default()), Changes::read)?;
     let bar = spinner(&format!("meshing {}", args.model.display()));
-    let model = ifc::read(&args.model, Duration::from_secs(300))?;
+    let model = ifc::read(&args.model, Duration::from_secs(300), memory::budget())?;
     bar.finish_and_clear();
     let drawn = model.products.iter().map(drawn).collect::<Result<Vec<_>>>()?;
     let scene = Scene::new(&changes.build(&drawn)?);

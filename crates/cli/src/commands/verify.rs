@@ -18,7 +18,10 @@ seen empty), unobserved (too little was seen to say), conflicting (stations cont
 
 coverage is seen/all samples; confirmed + refuted + open = 1 over the seen ones; deviation is the median of the
 worst well-seen face along its outward normal and shift the rigid offset (x, y, z) with its standard deviation, both
-in metres; '-' marks a direction that the seen faces do not determine.")]
+in metres; '-' marks a direction that the seen faces do not determine.
+
+CSV is guarded against spreadsheets: a text that begins with = + - @, a tab or a carriage return gets an apostrophe before
+it, numbers never; --format csv-exact writes everything as it is.")]
 pub struct VerifyArgs {
     /// Epoch of the scans
     #[arg(long, default_value_t = 1, value_name = "N", allow_hyphen_values = true)]
@@ -51,30 +54,36 @@ pub struct VerifyArgs {
     database: DatabaseArgs,
 }
 
+/// Every literal has its type and every name its schema: what others have planted beside the extension matches less well.
 const VERDICTS: &str = "
-SELECT o.name, o.global_id, o.ifc_class, o.storey, coalesce($2, o.loa::text), s.verdict, s.best_loa::text, s.samples, s.coverage,
-       s.confirmed, s.refuted, s.open, s.conflict, s.deviation, s.deviation_sd, s.shift
-FROM   building_object o
-JOIN   ab_verify_table(
-           format('SELECT id, solid, ab_evidence_model(loa => coalesce(%L::ab_loa, loa), model => %L, spacing => %L,
-                          sigma_range => %L, sigma_angle => %L, sigma_station => %L, confidence => %L)
-                   FROM building_object WHERE id = ANY(%L)', $2::text, $3::text, $4::float8, $5::float8, $9::float8, $6::float8, $7::float8,
-                  $8::bigint[]),
-           format('SELECT patch FROM scan WHERE epoch = %s', $1::int),
-           keep_evidence => false) s ON s.id = o.id
+SELECT o.name, o.global_id, o.ifc_class, o.storey, coalesce($2::text, o.loa::text), s.verdict, s.best_loa::text, s.samples,
+       s.coverage, s.confirmed, s.refuted, s.open, s.conflict, s.deviation, s.deviation_sd, s.shift
+FROM   @building_object o
+JOIN   @ext.ab_verify_table(
+           pg_catalog.format($9::text, $2::text, $3::text, $4::float8, $5::float8, $8::float8, $6::float8, $7::float8, $10::int8[]),
+           $1::text, NULL::@ext.ab_evidence_model, false, NULL::float8, NULL::float8, NULL::float8) s ON s.id = o.id
 ORDER  BY o.id";
+
+/// What is verified, a template of PostgreSQL's `format`.
+const OBJECTS: &str = "
+SELECT id, solid, @ext.ab_evidence_model(loa => coalesce(%L::@ext.ab_loa, loa), model => %L::text, spacing => %L::float8,
+       sigma_range => %L::float8, sigma_angle => %L::float8, sigma_station => %L::float8, confidence => %L::float8)
+FROM   @building_object WHERE id = ANY(%L::int8[])";
 
 /// Objects that are verified together: neighbours know each other, and their evidence is in memory together.
 const BATCHES: &str = "
-SELECT array_agg(id ORDER BY id) FROM (
-  SELECT id, floor(sum(least(coalesce(ab_area(solid), 0) / ($1::float8 * $1), 5e6)) OVER (ORDER BY id) / 20e6) AS batch FROM building_object) x
+SELECT pg_catalog.array_agg(id ORDER BY id) FROM (
+  SELECT id, pg_catalog.floor(pg_catalog.sum(least(coalesce(@ext.ab_area(solid), 0::float8) / ($1::float8 * $1::float8), 5e6::float8))
+                              OVER (ORDER BY id) / 20e6::float8) AS batch FROM @building_object) x
 GROUP BY batch ORDER BY batch";
 
 pub fn run(args: &VerifyArgs) -> Result<()> {
-    let mut client = args.database.connect()?;
-    tables::check_search_path(&mut client)?;
-    tables::check_loaded(&mut client)?;
-    tables::check_epoch(&mut client, args.epoch)?;
+    let mut db = args.database.connect()?;
+    tables::check_loaded(&mut db)?;
+    tables::check_epoch(&mut db, args.epoch)?;
+    let (verdicts, batches) = (db.sql(VERDICTS), db.sql(BATCHES));
+    let objects = db.names.for_format().sql(OBJECTS);
+    let scans = format!("{} WHERE epoch = '{}'::int4", db.sql("SELECT patch FROM @scan"), args.epoch);
     let loa = args.loa.map(Loa::name);
     let preset = args.sensor.as_deref().map(SensorPreset::named).transpose()?;
     let sigma_range = args.sigma_range.or(preset.map(|p| p.sigma_range));
@@ -83,9 +92,9 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     let bar = spinner("verifying");
     let mut rows = Vec::new();
     // All batches see the same data.
-    let one_view = client.build_transaction().read_only(true).isolation_level(IsolationLevel::RepeatableRead);
+    let one_view = db.client.build_transaction().read_only(true).isolation_level(IsolationLevel::RepeatableRead);
     let mut client = one_view.start().map_err(explain)?;
-    let batches = client.query(BATCHES, &[&args.spacing]).map_err(explain)?;
+    let batches = client.query(&batches, &[&args.spacing]).map_err(explain)?;
     if batches.len() > 1 {
         bar.suspend(|| {
             say!(
@@ -97,21 +106,22 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     }
     for batch in batches {
         let ids: Vec<i64> = batch.get(0);
-        let parameters: [&(dyn ToSql + Sync); 9] = [
-            &args.epoch,
+        let parameters: [&(dyn ToSql + Sync); 10] = [
+            &scans,
             &loa,
             &args.model,
             &args.spacing,
             &sigma_range,
             &sigma_station,
             &args.confidence,
-            &ids,
             &sigma_angle,
+            &objects,
+            &ids,
         ];
-        rows.extend(client.query(VERDICTS, &parameters).map_err(explain)?);
+        rows.extend(client.query(&verdicts, &parameters).map_err(explain)?);
     }
     bar.finish_and_clear();
-    let wide = !matches!(args.format, Format::Table);
+    let wide = args.format != Format::Table;
     let mut columns = vec!["name"];
     if wide {
         columns.extend(["global_id", "ifc_class", "storey"]);

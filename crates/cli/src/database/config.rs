@@ -2,11 +2,10 @@
 
 use std::env;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use postgres::Config;
-use postgres::config::SslMode;
+use postgres::config::{Host, SslMode};
 
-use super::connect::explain;
 use super::pgpass;
 
 /// A variable that is set and not empty.
@@ -14,10 +13,24 @@ pub fn var(name: &str) -> Option<String> {
     env::var(name).ok().filter(|v| !v.is_empty())
 }
 
+/// Neither the text nor what the parser says of it is shown: both may hold a password or parts of one.
+const NO_URL: &str = "--db is no connection URL (its text is not shown, for a password may be in it); write \
+    postgresql://user@host/name or \"host=… port=… user=… dbname=…\", give the password in PGPASSWORD or ~/.pgpass, \
+    or write its signs @ : / ? # % as %40 %3A %2F %3F %23 %25";
+
+fn parse(text: &str) -> Result<Config> {
+    let c: Config = text.parse().map_err(|_| anyhow!(NO_URL))?;
+    // An unescaped @ in a password puts its end into the names of host and database, which errors show.
+    let odd = |name: &str| text.contains("://") && name.contains('@');
+    if c.get_hosts().iter().any(|h| matches!(h, Host::Tcp(name) if odd(name))) || c.get_dbname().is_some_and(odd) {
+        bail!(NO_URL);
+    }
+    Ok(c)
+}
+
 /// Connection settings from `--db` and, for what it leaves open, the environment.
 pub fn config(text: &str) -> Result<Config> {
-    let mut c: Config =
-        text.parse().map_err(explain).with_context(|| format!("--db \"{text}\" is no connection URL"))?;
+    let mut c = parse(text)?;
     if c.get_hosts().is_empty() && c.get_hostaddrs().is_empty() {
         c.host(var("PGHOST").as_deref().unwrap_or("/var/run/postgresql"));
     }

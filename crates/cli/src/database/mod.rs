@@ -1,7 +1,15 @@
-//! The database: [`connect`] with settings as psql's ([`config`], [`pgpass`]), [`tables`] of the tour, binary [`copy`].
+//! The database: [`connect`] with settings as psql's ([`config`], [`pgpass`]); full [`names`]; the [`tables`] of the
+//! tour, what is [`found`] under their names, how they are made ([`ddl`]) and brought up to date ([`layout`]); binary
+//! [`copy`].
 
 mod config;
 pub mod connect;
 pub mod copy;
+mod ddl;
+mod found;
+pub mod layout;
+pub mod names;
 mod pgpass;
 pub mod tables;
+
+pub use names::quoted;

@@ -14,7 +14,7 @@ use super::{NO_ROTATION, RawScan, ReadOptions, Sink, stem};
 
 /// Reads every point cloud of the file.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
-    let length = std::fs::metadata(path).context("cannot open it")?.len();
+    let length = check_head(path)?;
     let mut file = E57Reader::from_file(path).context("not a readable E57 file")?;
     let clouds = file.pointclouds();
     if clouds.is_empty() {
@@ -34,6 +34,21 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
         bail!("its point clouds hold no points");
     }
     Ok(())
+}
+
+/// The file's length, after refusing a head whose XML the file cannot hold: room is made for it at once.
+fn check_head(path: &Path) -> Result<u64> {
+    let mut file = std::fs::File::open(path).context("cannot open it")?;
+    let length = file.metadata()?.len();
+    let mut head = [0; 48];
+    if std::io::Read::read_exact(&mut file, &mut head).is_err() {
+        return Ok(length); // the library says what is wrong with it
+    }
+    let [start, xml] = [24, 32].map(|at| u64::from_le_bytes(std::array::from_fn(|k| head[at + k])));
+    if head.starts_with(b"ASTM-E57") && start.checked_add(xml).is_none_or(|end| end > length) {
+        bail!("its header promises {xml} bytes of XML at {start}, beyond the end of a file of {length}");
+    }
+    Ok(length)
 }
 
 /// Refuses what makes the reader allocate without bound: fields that are all constant, more records than bytes.

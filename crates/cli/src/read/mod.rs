@@ -1,5 +1,7 @@
-//! File formats: [`e57`], [`las`], [`ply`], [`ptx`], [`pcd`], [`xyz`] give scans, [`ifc`] gives a model.
+//! File formats: [`e57`], [`las`], [`ply`], [`ptx`], [`pcd`], [`xyz`] give scans, [`ifc`] gives a model; all of them
+//! are read by a [`child`] process.
 
+pub mod child;
 mod e57;
 mod grid;
 pub mod ifc;

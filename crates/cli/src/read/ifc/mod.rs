@@ -7,12 +7,15 @@ mod relations;
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, anyhow, bail};
 use asbuilt_core::geometry::{Closedness, Solid, Vec3, orient};
 use serde::{Deserialize, Serialize};
+
+use super::child::{epitaph, spawn};
+use crate::memory;
 
 /// A building object.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -71,11 +74,11 @@ impl Product {
     }
 }
 
-/// Meshes a file in a child process of this program.
-pub fn read(path: &Path, limit: Duration) -> Result<Model> {
+/// Meshes a file in a child process of this program, which may take so much memory, bytes.
+pub fn read(path: &Path, limit: Duration, max_memory: u64) -> Result<Model> {
     std::fs::metadata(path).with_context(|| format!("{}: cannot open it", path.display()))?;
     let mut command = Command::new(std::env::current_exe()?);
-    command.arg("mesh-ifc").arg(path).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null());
+    command.arg("mesh-ifc").arg(format!("--max-memory={max_memory}")).arg("--").arg(path);
     // Settings of the geometry library from the user's environment would change the result.
     for (name, _) in std::env::vars_os().filter(|(n, _)| n.to_string_lossy().starts_with("IFC_LITE_")) {
         command.env_remove(name);
@@ -83,21 +86,21 @@ pub fn read(path: &Path, limit: Duration) -> Result<Model> {
     // Positions relative to each element's centre: in a projected system the library's single precision would lose
     // centimetres.
     command.env("IFC_LITE_LOCAL_FRAME", "1");
-    let mut child = command.spawn().context("cannot start the meshing process")?;
-    let answer = receive(&mut child, limit);
+    let (mut child, words) = spawn(command)?;
+    let answer = receive(&mut child, limit, max_memory);
     let _ = child.kill();
     let status = child.wait()?;
     let bytes = answer.with_context(|| format!("{}", path.display()))?;
-    match postcard::from_bytes::<Answer>(&bytes) {
-        Ok(Ok(model)) => Ok(model),
-        Ok(Err(reason)) => Err(anyhow!("{}: {reason}", path.display())),
-        Err(_) => bail!("{}: the geometry library failed on it ({status})", path.display()),
-    }
+    let model = match postcard::from_bytes::<Answer>(&bytes) {
+        Ok(answer) => answer.map_err(|reason| anyhow!(reason)),
+        Err(_) => Err(anyhow!(epitaph(status, &words.join().unwrap_or_default(), max_memory))),
+    };
+    model.with_context(|| format!("{}", path.display()))
 }
 
-/// Everything the child writes, within the time limit.
-fn receive(child: &mut Child, limit: Duration) -> Result<Vec<u8>> {
-    let mut pipe = child.stdout.take().context("no pipe to the meshing process")?;
+/// Everything the child writes, within the time limit; more than a quarter of its memory would be too much for us too.
+fn receive(child: &mut Child, limit: Duration, max_memory: u64) -> Result<Vec<u8>> {
+    let mut pipe = child.stdout.take().context("no pipe to the meshing process")?.take(max_memory / 4);
     let reader = std::thread::spawn(move || {
         let mut bytes = Vec::new();
         pipe.read_to_end(&mut bytes).map(|_| bytes)
@@ -109,11 +112,17 @@ fn receive(child: &mut Child, limit: Duration) -> Result<Vec<u8>> {
         }
         std::thread::sleep(Duration::from_millis(10));
     }
-    reader.join().map_err(|_| anyhow!("the reader of the meshing process failed"))?.context("reading from it")
+    let bytes = reader.join().map_err(|_| anyhow!("the reader of the meshing process failed"))?;
+    let bytes = bytes.context("reading from the meshing process")?;
+    if bytes.len() as u64 == max_memory / 4 {
+        bail!("its meshes take more than a quarter of --max-memory {}", memory::shown(max_memory));
+    }
+    Ok(bytes)
 }
 
 /// The child's side: meshes the file and writes the answer to standard output.
-pub fn answer(path: &Path) -> Result<()> {
+pub fn answer(path: &Path, max_memory: u64) -> Result<()> {
+    memory::limit(max_memory)?;
     // The parent holds the other end of standard input: it ends with the parent, however that ends.
     std::thread::spawn(|| {
         let _ = std::io::copy(&mut std::io::stdin().lock(), &mut std::io::sink());

@@ -1,29 +1,24 @@
-//! What the user sees: tables, CSV, JSON, progress bars.
+//! Rows under named columns: aligned, CSV, JSON.
 
 use std::io::Write;
 
 use anyhow::Result;
-use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::{Map, Value};
 
-/// Prints a line to standard error; nobody reading it is no reason to stop.
-macro_rules! say {
-    ($($arg:tt)*) => {{
-        use std::io::Write as _;
-        let _ = writeln!(std::io::stderr(), $($arg)*);
-    }};
-}
-pub(crate) use say;
+use super::safe;
 
 /// How to print rows.
-#[derive(clap::ValueEnum, Debug, Clone, Copy, Default)]
+#[derive(clap::ValueEnum, Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Format {
-    /// Aligned columns
+    /// Aligned columns; control characters in names are written out, as \x1b
     #[default]
     Table,
-    /// Comma-separated, with a header line
+    /// Comma-separated, with a header line; a text that a spreadsheet would take for a formula (it begins with =, +, -,
+    /// @, a tab or a carriage return) gets an apostrophe before it, numbers never
     Csv,
-    /// An array of objects
+    /// Comma-separated, every text exactly as it is: for programs, not for spreadsheets
+    CsvExact,
+    /// An array of objects, every text exactly as it is
     Json,
 }
 
@@ -52,10 +47,11 @@ impl Table {
         let mut out = std::io::stdout().lock();
         match format {
             Format::Table => self.print_aligned(&mut out, if self.rows.len() == 1 { one } else { many })?,
-            Format::Csv => {
+            Format::Csv | Format::CsvExact => {
                 writeln!(out, "{}", self.columns.join(","))?;
+                let field = |value: &Value| csv_field(value, format == Format::Csv);
                 for row in &self.rows {
-                    writeln!(out, "{}", row.iter().map(csv_field).collect::<Vec<_>>().join(","))?;
+                    writeln!(out, "{}", row.iter().map(field).collect::<Vec<_>>().join(","))?;
                 }
             }
             Format::Json => {
@@ -70,7 +66,8 @@ impl Table {
     }
 
     fn print_aligned(&self, out: &mut impl Write, what: &str) -> Result<()> {
-        let cells: Vec<Vec<String>> = self.rows.iter().map(|r| r.iter().map(shown).collect()).collect();
+        let cell = |value: &Value| safe(&text(value));
+        let cells: Vec<Vec<String>> = self.rows.iter().map(|r| r.iter().map(cell).collect()).collect();
         let width = |i: usize| {
             cells.iter().map(|r| r[i].chars().count()).max().unwrap_or(0).max(self.columns[i].chars().count())
         };
@@ -90,7 +87,7 @@ impl Table {
     }
 }
 
-fn shown(value: &Value) -> String {
+fn text(value: &Value) -> String {
     match value {
         Value::Null => String::new(),
         Value::String(s) => s.clone(),
@@ -98,41 +95,32 @@ fn shown(value: &Value) -> String {
     }
 }
 
-fn csv_field(value: &Value) -> String {
-    let text = shown(value);
+/// A cell; a text that begins as a formula does is guarded where asked for.
+fn csv_field(value: &Value, guarded: bool) -> String {
+    let mut text = text(value);
+    if guarded && value.is_string() && text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
+        text.insert(0, '\'');
+    }
     if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
 }
 
-/// A number rounded to `digits` decimals; NULL stays NULL.
-pub fn rounded(value: Option<f64>, digits: i32) -> Value {
-    let scale = 10f64.powi(digits);
-    value.map_or(Value::Null, |v| Value::from((v * scale).round() / scale))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// A bar that counts `unit`; hidden where standard error is no terminal.
-pub fn progress(what: &str, unit: &str) -> ProgressBar {
-    let bar = ProgressBar::new(0);
-    let template = format!("{{msg:28}} {{wide_bar}} {{human_pos}}/{{human_len}} {unit} {{eta:>4}}");
-    if let Ok(style) = ProgressStyle::with_template(&template) {
-        bar.set_style(style);
-    }
-    bar.set_message(what.to_owned());
-    bar
-}
-
-/// A spinner for work of unknown length.
-pub fn spinner(what: &str) -> ProgressBar {
-    let bar = ProgressBar::new_spinner();
-    bar.set_message(what.to_owned());
-    bar.enable_steady_tick(std::time::Duration::from_millis(120));
-    bar
-}
-
-/// `12_345_678` as `12.3 M`.
-pub fn count(n: u64) -> String {
-    match n {
-        0..10_000 => n.to_string(),
-        10_000..1_000_000 => format!("{:.1} k", n as f64 / 1e3),
-        _ => format!("{:.1} M", n as f64 / 1e6),
+    #[test]
+    fn texts_are_guarded_and_numbers_are_not() {
+        for (value, guarded, exact) in [
+            (Value::from("=cmd|x"), "'=cmd|x", "=cmd|x"),
+            (Value::from("-1"), "'-1", "-1"),
+            (Value::from("\t=1"), "'\t=1", "\t=1"),
+            (Value::from("@a,b"), "\"'@a,b\"", "\"@a,b\""),
+            (Value::from("a=b"), "a=b", "a=b"),
+            (Value::from(-0.0121), "-0.0121", "-0.0121"),
+            (Value::Null, "", ""),
+        ] {
+            assert_eq!(csv_field(&value, true), guarded);
+            assert_eq!(csv_field(&value, false), exact);
+        }
     }
 }

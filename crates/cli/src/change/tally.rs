@@ -1,0 +1,118 @@
+//! Voxels of objects, components and the whole, counted from the changes of the tiles.
+
+use anyhow::Result;
+use asbuilt_core::NEVER;
+use asbuilt_core::geometry::{Aabb, Solid};
+use asbuilt_core::voxel::{Change, Class, Component, Grid, Mask, Rule};
+use postgres::{Row, Transaction};
+use rayon::prelude::*;
+
+use super::tiles::Tile;
+use crate::database::connect::explain;
+use crate::database::names::Names;
+use crate::memory;
+use crate::output::say;
+
+/// What the report is about.
+pub struct Report {
+    pub objects: Vec<Counted>,
+    /// Class, component, and the building objects whose boxes it meets.
+    pub components: Vec<(&'static str, Component, Vec<String>)>,
+    /// Voxels by class, in the order of [`Class::ALL`].
+    pub total: [u64; 5],
+    /// Cubic metres.
+    pub voxel_volume: f64,
+}
+
+/// An object with its voxels by class.
+pub struct Counted {
+    pub name: String,
+    pub global_id: String,
+    pub voxels: [u64; 5],
+    solid: Option<Solid>,
+}
+
+/// How components are put together.
+pub struct Parts {
+    /// Least voxels.
+    pub least: u64,
+    /// Voxels with less than this gap hang together, metres; four voxels where it is not given.
+    pub gap: Option<f64>,
+}
+
+impl Report {
+    /// Counts. Voxels of an object are those that it touches, or that lie within the tolerance of these.
+    pub fn of(tx: &mut Transaction, names: &Names, tiles: &[Tile], tolerance: f64, parts: &Parts) -> Result<Self> {
+        let mut out = Self { objects: objects(tx, names)?, components: Vec::new(), total: [0; 5], voxel_volume: 0.0 };
+        let mut whole: Option<Change> = None;
+        for tile in tiles {
+            let change = tile.change()?;
+            out.voxel_volume = change.grid().voxel_volume();
+            add(&mut out.total, &change.tally(None, 0.0, NEVER)?.voxels);
+            let near = tile.bounds.expanded(tolerance + 2.0 * change.grid().voxel);
+            out.objects.par_iter_mut().try_for_each(|o| o.count(&change, &near, tolerance))?;
+            match &mut whole {
+                Some(whole) => whole.merge(&change, NEVER)?,
+                None => whole = Some(change),
+            }
+        }
+        if let Some(whole) = whole {
+            out.find_components(&whole, parts)?;
+        }
+        Ok(out)
+    }
+
+    /// Components want the whole at once; where that takes too much memory, the objects are known all the same.
+    fn find_components(&mut self, whole: &Change, parts: &Parts) -> Result<()> {
+        let gap = parts.gap.unwrap_or(4.0 * whole.grid().voxel);
+        let most = usize::try_from(memory::budget() / 4).unwrap_or(usize::MAX);
+        let mut found = Vec::new();
+        for class in [Class::New, Class::Disappeared] {
+            match whole.components(class, parts.least, gap, most, NEVER) {
+                Ok(some) => found.extend(some),
+                Err(error @ asbuilt_core::Error::Argument { .. }) => return Err(error.into()),
+                Err(error) => say!("asbuilt: no components: {error}"),
+            }
+        }
+        found.sort_by_key(|c| std::cmp::Reverse(c.voxels));
+        for c in found {
+            self.components.push((whole.class_name(c.class), c, self.names_in(&c.bounds)));
+        }
+        Ok(())
+    }
+
+    fn names_in(&self, bounds: &Aabb) -> Vec<String> {
+        let meets = |o: &&Counted| o.solid.as_ref().is_some_and(|s| s.bounds().overlaps(bounds));
+        let mut names: Vec<String> = self.objects.iter().filter(meets).map(|o| o.name.clone()).collect();
+        names.sort();
+        names
+    }
+}
+
+impl Counted {
+    fn of(row: &Row) -> Result<Self> {
+        let bytes: Option<&[u8]> = row.get(2);
+        let solid = bytes.map(|b| Solid::from_bytes(b, NEVER)).transpose()?;
+        Ok(Self { name: row.get(0), global_id: row.get(1), voxels: [0; 5], solid })
+    }
+
+    /// Adds what a tile holds of the object.
+    fn count(&mut self, change: &Change, near: &Aabb, tolerance: f64) -> Result<()> {
+        let Some(solid) = self.solid.as_ref().filter(|s| s.bounds().overlaps(near)) else { return Ok(()) };
+        let grid = change.grid();
+        let grid = Grid { tile: grid.tile.expanded(tolerance + grid.voxel), ..*grid };
+        let rule = if solid.volume().is_ok() { Rule::Cover } else { Rule::Surface };
+        let mask = Mask::of(solid, &grid, rule, usize::MAX, NEVER)?;
+        add(&mut self.voxels, &change.tally(Some(&mask), tolerance, NEVER)?.voxels);
+        Ok(())
+    }
+}
+
+fn objects(tx: &mut Transaction, names: &Names) -> Result<Vec<Counted>> {
+    let sql = names.sql("SELECT name, global_id, @ext.ab_solid_send(solid) FROM @building_object ORDER BY id");
+    tx.query(&sql, &[]).map_err(explain)?.iter().map(Counted::of).collect()
+}
+
+fn add(to: &mut [u64; 5], more: &[u64; 5]) {
+    to.iter_mut().zip(more).for_each(|(a, b)| *a += b);
+}

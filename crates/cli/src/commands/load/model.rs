@@ -1,0 +1,127 @@
+//! A building model into `building_object`.
+
+use std::path::Path;
+use std::time::Duration;
+
+use anyhow::{Context, Result};
+use asbuilt_core::NEVER;
+use asbuilt_core::evidence::Loa;
+use asbuilt_core::geometry::{Aabb, Closedness};
+use postgres::Transaction;
+use serde_json::{Map, Value};
+
+use super::{LoadArgs, shown, source};
+use crate::database::connect::explain;
+use crate::database::copy::{BinaryCopy, jsonb};
+use crate::database::names::Names;
+use crate::output::{say, spinner};
+use crate::read::ifc;
+
+pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -> Result<()> {
+    let bar = spinner(&format!("meshing {}", file.display()));
+    let model = ifc::read(file, Duration::from_secs(args.mesh_timeout), args.max_memory())?;
+    bar.finish_and_clear();
+    let source = source(file);
+    let delete = names.sql("DELETE FROM @building_object WHERE source = $1::text");
+    let replaced = tx.execute(&delete, &[&source]).map_err(explain)?;
+    if replaced > 0 {
+        say!("{source}: replaces {replaced} objects loaded before from a file of that name");
+    }
+    let columns = ["global_id", "ifc_class", "name", "storey", "loa", "solid", "properties", "source"];
+    let mut copy = BinaryCopy::start(tx, &names.table("building_object"), &columns)?;
+    let (mut bounds, mut open, mut seen) = (Aabb::EMPTY, Vec::new(), std::collections::HashSet::new());
+    let (mut meshed, mut twice) = (0, 0);
+    for p in &model.products {
+        if !seen.insert(&p.global_id) {
+            twice += 1;
+            continue;
+        }
+        let loa = level(p, args.loa)?;
+        let solid = p.solid().with_context(|| format!("{} {}", p.ifc_class, p.name))?;
+        if let Some(s) = &solid {
+            meshed += 1;
+            bounds = bounds.union(&s.bounds());
+            if s.closedness() == Closedness::Open {
+                open.push(format!("{} {}", p.ifc_class, p.name));
+            }
+        }
+        let solid = solid.map(|s| s.to_bytes(NEVER)).transpose()?;
+        let text = |s: &str| s.replace('\0', "").into_bytes();
+        copy.row(&[
+            Some(&text(&p.global_id)),
+            Some(&text(&p.ifc_class)),
+            Some(&text(&p.name)),
+            p.storey.as_deref().map(text).as_deref(),
+            Some(loa.name().as_bytes()),
+            solid.as_deref(),
+            Some(&jsonb(&properties(p))),
+            Some(&text(&source)),
+        ])?;
+    }
+    copy.finish()?;
+    report(&source, &model, meshed, twice, &open, &bounds);
+    Ok(())
+}
+
+/// Its own level of accuracy, or the given one. A property that names no level is said, not guessed.
+fn level(p: &ifc::Product, default: Loa) -> Result<Loa> {
+    match &p.level_of_accuracy {
+        None => Ok(default),
+        Some(text) => Ok(Loa::parse(text).unwrap_or_else(|_| {
+            say!("warning: {} has LevelOfAccuracy \"{text}\", which is none; {} taken", p.name, default.name());
+            default
+        })),
+    }
+}
+
+fn properties(p: &ifc::Product) -> Value {
+    let clean = |s: &str| Value::from(s.replace('\0', ""));
+    let mut map: Map<String, Value> = p.properties.iter().map(|(k, v)| (k.replace('\0', ""), clean(v))).collect();
+    if let Some(whole) = &p.part_of {
+        map.insert("part_of".into(), clean(whole));
+    }
+    if let Some(note) = &p.note {
+        map.insert("geometry_note".into(), clean(note));
+    }
+    Value::Object(map)
+}
+
+fn report(source: &str, model: &ifc::Model, meshed: usize, twice: usize, open: &[String], bounds: &Aabb) {
+    let parts = model.products.iter().filter(|p| p.part_of.is_some()).count();
+    say!(
+        "{source}: {} products read, {meshed} meshed, {} open surfaces, {parts} parts of others, {} missing",
+        model.products.len(),
+        open.len(),
+        model.unmeshed.len()
+    );
+    say!("  box {}", shown(bounds));
+    list("open surface (area and verdict, no volume)", open);
+    let missing: Vec<String> = model.unmeshed.iter().map(|(name, why)| format!("{name}: {why}")).collect();
+    list("missing", &missing);
+    let left_out: Vec<String> = model.left_out.iter().map(|(class, n)| format!("{n} {class}")).collect();
+    if !left_out.is_empty() {
+        say!("  no building objects, left out: {}", left_out.join(", "));
+    }
+    if let Some(worst) = model.rounded.iter().map(|r| r.1).reduce(f64::max) {
+        say!(
+            "  warning: {} products lie so far from the file's zero that their geometry is rounded, to {:.0} mm at the \
+             worst ({}); move the model near its origin for finer levels of accuracy",
+            model.rounded.len(),
+            worst * 1e3,
+            model.rounded[0].0
+        );
+    }
+    if twice > 0 {
+        say!("  warning: {twice} products repeat another's GlobalId; the first of each was kept");
+    }
+    model.warnings.iter().for_each(|w| say!("  warning: {w}"));
+}
+
+/// Names all missing, but of a long list only the beginning unless they are few.
+fn list(what: &str, names: &[String]) {
+    const SHOWN: usize = 40;
+    names.iter().take(SHOWN).for_each(|n| say!("  {what}: {n}"));
+    if names.len() > SHOWN {
+        say!("  … and {} more", names.len() - SHOWN);
+    }
+}

@@ -1,0 +1,99 @@
+//! The tables of the tour, as they are made and as they are known again.
+
+/// A table of the tour.
+pub struct TableOf {
+    pub name: &'static str,
+    /// What makes it; `@` names are completed by [`super::names::Names::sql`].
+    pub ddl: &'static str,
+    /// Columns by which it is known to be ours: name and type, those of the extension with `ab_`.
+    pub columns: &'static [(&'static str, &'static str)],
+}
+
+/// What the loader fills and the verdict reads, in the order in which they are made.
+pub const TOUR: [TableOf; 3] = [
+    TableOf {
+        name: "building_object",
+        ddl: "CREATE TABLE @building_object (
+            id         bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY,
+            global_id  text NOT NULL,
+            ifc_class  text NOT NULL,
+            name       text NOT NULL,
+            storey     text,
+            loa        @ext.ab_loa NOT NULL,
+            solid      @ext.ab_solid,
+            properties jsonb NOT NULL,
+            source     text NOT NULL,
+            UNIQUE (source, global_id)
+        );
+        CREATE INDEX building_object_solid_idx ON @building_object USING gist (solid);
+        COMMENT ON TABLE @building_object IS 'Objects of the building model; solid is NULL where the geometry could not be meshed';",
+        columns: &[
+            ("id", "int8"),
+            ("global_id", "text"),
+            ("ifc_class", "text"),
+            ("name", "text"),
+            ("storey", "text"),
+            ("loa", "ab_loa"),
+            ("solid", "ab_solid"),
+            ("properties", "jsonb"),
+            ("source", "text"),
+        ],
+    },
+    TableOf {
+        name: "station",
+        ddl: "CREATE TABLE @station (
+            id     bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY,
+            epoch  integer NOT NULL,
+            name   text NOT NULL,
+            pose   @ext.ab_pose,
+            sensor text,
+            source text NOT NULL
+        );
+        CREATE INDEX station_epoch_idx ON @station (epoch);
+        COMMENT ON TABLE @station IS 'Scanner positions: pose is the transform from scanner to world, as far as the file tells it; NULL for points without origin';",
+        columns: &[
+            ("id", "int8"),
+            ("epoch", "int4"),
+            ("name", "text"),
+            ("pose", "ab_pose"),
+            ("sensor", "text"),
+            ("source", "text"),
+        ],
+    },
+    TableOf {
+        name: "scan",
+        ddl: "CREATE TABLE @scan (
+            id         bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY,
+            station_id bigint NOT NULL REFERENCES @station ON DELETE CASCADE,
+            epoch      integer NOT NULL,
+            patch      @ext.ab_scan NOT NULL
+        );
+        CREATE INDEX scan_patch_idx ON @scan USING gist (patch);
+        CREATE INDEX scan_station_idx ON @scan (station_id);
+        COMMENT ON TABLE @scan IS 'Patches of at most 4096 neighbouring beams of a station';",
+        // Its key came with layout 2.
+        columns: &[("station_id", "int8"), ("epoch", "int4"), ("patch", "ab_scan")],
+    },
+];
+
+/// Layout of the tables that this program makes. 1: as by 0.1.0; 2: `scan.id`.
+pub const LAYOUT: i32 = 2;
+
+/// Holds the number of their layout, for programs to come.
+pub const LAYOUT_TABLE: TableOf = TableOf {
+    name: "asbuilt_layout",
+    ddl: "CREATE TABLE @asbuilt_layout (
+            layout integer NOT NULL,
+            one    boolean NOT NULL DEFAULT true CHECK (one) PRIMARY KEY
+        );
+        COMMENT ON TABLE @asbuilt_layout IS 'Layout of the tables building_object, station and scan, by which the program asbuilt knows what it has to bring up to date';
+        GRANT SELECT ON @asbuilt_layout TO PUBLIC;",
+    columns: &[("layout", "int4")],
+};
+
+/// What brings tables of a layout to the next, and how it is told.
+pub const MIGRATIONS: [(i32, &str, &str); 1] = [(
+    1,
+    "ALTER TABLE @scan ADD COLUMN id bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY",
+    "scan has the primary key id",
+)];
