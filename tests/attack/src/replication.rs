@@ -1,0 +1,124 @@
+//! Logical replication with `binary = true`: a table of every type, changed in every way; both servers live and agree.
+
+use std::time::{Duration, Instant};
+
+use postgres::Client;
+
+use crate::catalogue::{Catalogue, Type};
+use crate::cluster::{AMPLE_KB, Cluster, deaths};
+use crate::report::Kind;
+use crate::session::Session;
+
+/// What a publisher needs beside.
+pub const PUBLISHER: &str = "wal_level = logical\nmax_wal_senders = 5\nmax_replication_slots = 5";
+
+/// The subscriber catches up within this, or something is wrong.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+pub fn run(s: &mut Session, catalogue: &Catalogue) {
+    let mut subscriber = Cluster::start("subscriber", AMPLE_KB, "max_logical_replication_workers = 4");
+    let mut there = subscriber.database("attack");
+    for t in &catalogue.types {
+        there = if there.is_closed() { subscriber.connect("attack") } else { there };
+        replicate(s, &mut subscriber, &mut there, t);
+    }
+}
+
+/// Values alone, in arrays and in composites; REPLICA IDENTITY FULL where the type has `=`: rows are then found by it.
+fn table(t: &Type) -> String {
+    format!("CREATE TABLE attack.s_{0} (id integer PRIMARY KEY, v {1}, a {1}[], c attack.c_{0})", t.plain, t.name)
+}
+
+fn replicate(s: &mut Session, subscriber: &mut Cluster, there: &mut Client, t: &Type) {
+    let p = &t.plain;
+    let key = format!("replication of {}", t.name);
+    let full = if t.equal { format!("ALTER TABLE attack.s_{p} REPLICA IDENTITY FULL; ") } else { String::new() };
+    let composite = format!("CREATE TYPE attack.c_{p} AS (n integer, v {0}, a {0}[])", t.name);
+    let publish = format!(
+        "DROP TABLE IF EXISTS attack.s_{p}; {}; {full}CREATE PUBLICATION p_{p} FOR TABLE attack.s_{p}",
+        table(t)
+    );
+    let host = s.cluster.socket_dir().display().to_string();
+    let subscribe = format!(
+        "CREATE SUBSCRIPTION s_{p} CONNECTION 'host={host} user=postgres dbname=attack' PUBLICATION p_{p} WITH (binary = true, slot_name = 's_{p}')"
+    );
+    let statement = format!("{publish}; -- there:\n{subscribe}");
+    let _ = s.execute(
+        &key,
+        &format!("SELECT pg_drop_replication_slot(slot_name) FROM pg_replication_slots WHERE slot_name = 's_{p}'"),
+    );
+    let _ = s.execute(&key, &format!("DROP PUBLICATION IF EXISTS p_{p}"));
+    if s.execute(&key, &publish).is_err() {
+        return;
+    }
+    let made = there.batch_execute(&composite).and_then(|()| there.batch_execute(&table(t)));
+    let made = made.and_then(|()| there.batch_execute(&subscribe));
+    if let Err(e) = made {
+        let why = e.as_db_error().map_or(e.to_string(), |d| d.message().to_string());
+        println!("attack: STALE: {statement}: {why}");
+        return;
+    }
+    let row = format!("v, ARRAY[v, NULL, v], ROW(1, v, ARRAY[v])::attack.c_{p}");
+    for change in [
+        format!("INSERT INTO attack.s_{p} SELECT id, {row} FROM attack.v_{p} WHERE id <= 30"),
+        format!(
+            "UPDATE attack.s_{p} x SET v = y.v, a = ARRAY[y.v] FROM attack.v_{p} y WHERE y.id = (x.id + 1) % 7 AND x.id % 2 = 0"
+        ),
+        format!("UPDATE attack.s_{p} SET c = NULL WHERE id % 5 = 0"),
+        format!("DELETE FROM attack.s_{p} WHERE id % 3 = 0"),
+    ] {
+        let _ = s.execute(&key, &change);
+    }
+    caught_up(s, subscriber, there, t, &key, &statement);
+    end(subscriber, there, p);
+    let _ = s.execute(
+        &key,
+        &format!("DROP PUBLICATION IF EXISTS p_{p}; SELECT pg_terminate_backend(active_pid) FROM pg_replication_slots"),
+    );
+    let _ = s.execute(&key, &format!("SELECT pg_drop_replication_slot(slot_name) FROM pg_replication_slots WHERE slot_name = 's_{p}' AND NOT active"));
+}
+
+/// Waits until both hold the same; books what died meanwhile.
+fn caught_up(s: &mut Session, subscriber: &mut Cluster, there: &mut Client, t: &Type, key: &str, statement: &str) {
+    let sum = format!(
+        "SELECT count(*) || ' ' || coalesce(md5(string_agg(x::text, ';' ORDER BY id)), '') FROM attack.s_{} x",
+        t.plain
+    );
+    let began = Instant::now();
+    loop {
+        for (who, log) in [("publisher", s.cluster.new_log()), ("subscriber", subscriber.new_log())] {
+            let dead = deaths(&log);
+            if !dead.is_empty() {
+                return s.report.finding(Kind::Crash, key, statement, &format!("{who}: {}", dead.join("; ")));
+            }
+            if let Some(line) = log.lines().find(|l| l.contains(" XX0")) {
+                s.report.finding(Kind::Internal, key, statement, &format!("{who}: {line}"));
+            }
+        }
+        let here = s.text(key, &sum).ok().and_then(|r| r.first().cloned().flatten());
+        let copy: Option<String> = there.query_one(&sum, &[]).ok().map(|r| r.get(0));
+        if here.is_some() && here == copy {
+            return;
+        }
+        if began.elapsed() > PATIENCE {
+            return s.report.finding(Kind::Wrong, key, statement, &format!("the copies differ: {here:?}, {copy:?}"));
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+}
+
+/// Gives the subscription up, whatever became of the publisher.
+fn end(subscriber: &Cluster, there: &mut Client, p: &str) {
+    if there.is_closed() {
+        *there = subscriber.connect("attack");
+    }
+    for sql in [
+        format!("ALTER SUBSCRIPTION s_{p} DISABLE"),
+        format!("ALTER SUBSCRIPTION s_{p} SET (slot_name = NONE)"),
+        format!("DROP SUBSCRIPTION s_{p}"),
+        format!("DROP TABLE attack.s_{p}"),
+        format!("DROP TYPE attack.c_{p}"),
+    ] {
+        let _ = there.batch_execute(&sql);
+    }
+}
