@@ -71,40 +71,41 @@ fn build() -> Result<(), String> {
     if out.status.success() { Ok(()) } else { Err(String::from_utf8_lossy(&out.stderr).into_owned()) }
 }
 
-/// libFuzzer for its seconds, on a growing corpus under target/, from the kept one.
+/// libFuzzer for its seconds, on a growing corpus under target/, from the kept one and the seeds.
 fn one(report: &mut Report, target: &str, seconds: f64) {
     let work = root().join("target/attack/fuzz").join(target);
-    std::fs::create_dir_all(&work).expect("a folder for the corpus");
     let kept = crate_dir().join("corpus").join(target);
+    std::fs::create_dir_all(&work).expect("a folder for the corpus");
+    std::fs::create_dir_all(&kept).expect("the corpus");
+    for (i, seed) in asbuilt_fuzz_targets::seeds(target).iter().enumerate() {
+        std::fs::write(work.join(format!("seed-{i}")), seed).expect("a seed");
+    }
     let artifacts = root().join("target/attack/findings").join(format!("fuzz-{target}-"));
     let out = Command::new(root().join("target/fuzz/x86_64-unknown-linux-gnu/release/fuzz"))
         .arg(format!("-max_total_time={}", seconds.max(1.0) as u64))
-        .args([
-            "-timeout=5",
-            "-rss_limit_mb=2048",
-            "-malloc_limit_mb=1024",
-            "-max_len=65536",
-            "-print_final_stats=1",
-            "-use_value_profile=1",
-        ])
+        .args(["-timeout=5", "-rss_limit_mb=2048", "-malloc_limit_mb=1024", "-max_len=65536"])
+        .args(["-print_final_stats=1", "-use_value_profile=1"])
         .arg(format!("-seed={}", report.seed % u64::from(u32::MAX)))
         .arg(format!("-artifact_prefix={}", artifacts.display()))
         .args([&work, &kept])
         .env("ASBUILT_FUZZ_TARGET", target)
         .output()
         .expect("the fuzzer runs");
-    let said = String::from_utf8_lossy(&out.stderr);
-    let executed = said
-        .lines()
-        .find_map(|l| l.strip_prefix("stat::number_of_executed_units:"))
-        .and_then(|n| n.trim().parse().ok());
-    report.executed(executed.unwrap_or(0));
-    println!("attack: fuzz {target}: {} inputs", executed.unwrap_or(0));
-    if !out.status.success() {
-        let kind = if said.contains("timeout after") { Kind::Hang } else { Kind::Crash };
-        let file = said.lines().find(|l| l.contains("Test unit written to")).unwrap_or("no input was written");
-        let why: Vec<&str> =
-            said.lines().filter(|l| l.contains("panicked at") || l.contains("ERROR: libFuzzer")).collect();
-        report.finding(kind, &format!("fuzz {target}"), file, &why.join("; "));
+    judge(report, target, &String::from_utf8_lossy(&out.stderr), out.status.success());
+}
+
+fn judge(report: &mut Report, target: &str, said: &str, success: bool) {
+    let stat = said.lines().find_map(|l| l.strip_prefix("stat::number_of_executed_units:"));
+    let executed = stat.and_then(|n| n.trim().parse().ok()).unwrap_or(0);
+    let covered = said.lines().rev().find(|l| l.contains(" cov: ")).unwrap_or("no coverage").trim();
+    report.executed(executed);
+    println!("attack: fuzz {target}: {executed} inputs; {covered}");
+    if success {
+        return;
     }
+    let kind = if said.contains("timeout after") { Kind::Hang } else { Kind::Crash };
+    let file = said.lines().find(|l| l.contains("Test unit written to")).unwrap_or("no input was written");
+    let is_cause = |l: &&str| ["panicked at", "ERROR: libFuzzer", "out-of-memory"].iter().any(|c| l.contains(c));
+    let why: Vec<&str> = said.lines().filter(is_cause).collect();
+    report.finding(kind, &format!("fuzz {target}"), file, &why.join("; "));
 }

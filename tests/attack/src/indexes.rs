@@ -59,7 +59,9 @@ fn ask(s: &mut Session, pool: &Pool, rng: &mut ChaCha8Rng, c: &OpClass, operator
         let _ = s.query(&key, &format!("SELECT id FROM attack.indexed ORDER BY v {operator} {value} LIMIT 7"), &[]);
         return;
     }
-    let sql = format!("SELECT count(*), sum(id) FROM attack.indexed WHERE v {operator} {value}");
+    let sql = format!(
+        "SELECT count(*) || ' rows, ids ' || coalesce(sum(id), 0) FROM attack.indexed WHERE v {operator} {value}"
+    );
     let _ = s.execute(&key, BY_INDEX);
     let by_index = s.text(&key, &sql);
     let _ = s.execute(&key, BY_TABLE);

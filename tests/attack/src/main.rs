@@ -7,6 +7,7 @@
 mod aggregates;
 mod catalogue;
 mod cluster;
+mod ewkb;
 mod files;
 mod functions;
 mod fuzz;

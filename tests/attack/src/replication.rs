@@ -33,49 +33,60 @@ fn replicate(s: &mut Session, subscriber: &mut Cluster, there: &mut Client, t: &
     let p = &t.plain;
     let key = format!("replication of {}", t.name);
     let full = if t.equal { format!("ALTER TABLE attack.s_{p} REPLICA IDENTITY FULL; ") } else { String::new() };
-    let composite = format!("CREATE TYPE attack.c_{p} AS (n integer, v {0}, a {0}[])", t.name);
     let publish = format!(
         "DROP TABLE IF EXISTS attack.s_{p}; {}; {full}CREATE PUBLICATION p_{p} FOR TABLE attack.s_{p}",
         table(t)
     );
     let host = s.cluster.socket_dir().display().to_string();
-    let subscribe = format!(
-        "CREATE SUBSCRIPTION s_{p} CONNECTION 'host={host} user=postgres dbname=attack' PUBLICATION p_{p} WITH (binary = true, slot_name = 's_{p}')"
-    );
-    let statement = format!("{publish}; -- there:\n{subscribe}");
-    let _ = s.execute(
-        &key,
-        &format!("SELECT pg_drop_replication_slot(slot_name) FROM pg_replication_slots WHERE slot_name = 's_{p}'"),
-    );
-    let _ = s.execute(&key, &format!("DROP PUBLICATION IF EXISTS p_{p}"));
+    let subscribe = [
+        format!("CREATE TYPE attack.c_{p} AS (n integer, v {0}, a {0}[])", t.name),
+        table(t),
+        format!(
+            "CREATE SUBSCRIPTION s_{p} CONNECTION 'host={host} user=postgres dbname=attack' PUBLICATION p_{p} \
+             WITH (binary = true, slot_name = 's_{p}')"
+        ),
+    ];
+    let statement = format!("{publish};\n-- there:\n{};\n-- here:\n{}", subscribe.join(";\n"), changes(p).join(";\n"));
+    clear(s, p);
     if s.execute(&key, &publish).is_err() {
         return;
     }
-    let made = there.batch_execute(&composite).and_then(|()| there.batch_execute(&table(t)));
-    let made = made.and_then(|()| there.batch_execute(&subscribe));
-    if let Err(e) = made {
-        let why = e.as_db_error().map_or(e.to_string(), |d| d.message().to_string());
-        println!("attack: STALE: {statement}: {why}");
-        return;
+    match subscribe.iter().try_for_each(|sql| there.batch_execute(sql)) {
+        Ok(()) => {
+            for change in changes(p) {
+                let _ = s.execute(&key, &change);
+            }
+            caught_up(s, subscriber, there, t, &key, &statement);
+        }
+        Err(e) => s.report.finding(Kind::Stale, &key, &statement, &format!("{e:?}")),
     }
+    end(subscriber, there, p);
+    clear(s, p);
+}
+
+/// What happens to the published table.
+fn changes(p: &str) -> [String; 4] {
     let row = format!("v, ARRAY[v, NULL, v], ROW(1, v, ARRAY[v])::attack.c_{p}");
-    for change in [
+    let next = "y.id = (x.id + 1) % 7 AND x.id % 2 = 0";
+    [
         format!("INSERT INTO attack.s_{p} SELECT id, {row} FROM attack.v_{p} WHERE id <= 30"),
-        format!(
-            "UPDATE attack.s_{p} x SET v = y.v, a = ARRAY[y.v] FROM attack.v_{p} y WHERE y.id = (x.id + 1) % 7 AND x.id % 2 = 0"
-        ),
+        format!("UPDATE attack.s_{p} x SET v = y.v, a = ARRAY[y.v] FROM attack.v_{p} y WHERE {next}"),
         format!("UPDATE attack.s_{p} SET c = NULL WHERE id % 5 = 0"),
         format!("DELETE FROM attack.s_{p} WHERE id % 3 = 0"),
+    ]
+}
+
+/// Takes publication and slot away; what the slot's sender did to the server is booked already.
+fn clear(s: &mut Session, p: &str) {
+    for sql in [
+        format!("DROP PUBLICATION IF EXISTS p_{p}"),
+        "SELECT pg_terminate_backend(active_pid) FROM pg_replication_slots WHERE active".into(),
+        format!(
+            "SELECT pg_drop_replication_slot(slot_name) FROM pg_replication_slots WHERE slot_name = 's_{p}' AND NOT active"
+        ),
     ] {
-        let _ = s.execute(&key, &change);
+        let _ = s.text("replication, clearing up", &sql);
     }
-    caught_up(s, subscriber, there, t, &key, &statement);
-    end(subscriber, there, p);
-    let _ = s.execute(
-        &key,
-        &format!("DROP PUBLICATION IF EXISTS p_{p}; SELECT pg_terminate_backend(active_pid) FROM pg_replication_slots"),
-    );
-    let _ = s.execute(&key, &format!("SELECT pg_drop_replication_slot(slot_name) FROM pg_replication_slots WHERE slot_name = 's_{p}' AND NOT active"));
 }
 
 /// Waits until both hold the same; books what died meanwhile.

@@ -232,6 +232,9 @@ impl Pool {
                 println!("attack: STALE: no {ty} from {expression}");
             }
         }
+        for polygon in crate::ewkb::polygons(rng, 24) {
+            pool.add(session, "bytea", &format!("'\\x{polygon}'::bytea"));
+        }
         pool.add_labels(session, catalogue);
         pool.derive(session, catalogue, rng);
         pool.store(session, catalogue);
