@@ -6,12 +6,13 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::catalogue::{Catalogue, Function};
 use crate::session::Session;
-use crate::values::Pool;
+use crate::values::{Pool, quoted};
 
 /// Rows are bounded: a function that gives billions is asked for the first of them.
 const MOST_ROWS: u32 = 200;
 
 pub fn run(s: &mut Session, catalogue: &Catalogue, pool: &Pool, rng: &mut ChaCha8Rng, rounds: u32) {
+    sweep(s, catalogue, pool);
     for _ in 0..rounds {
         for f in catalogue.functions.iter().filter(|f| !f.aggregate) {
             if f.arguments.iter().any(|a| a == "internal") {
@@ -23,6 +24,17 @@ pub fn run(s: &mut Session, catalogue: &Catalogue, pool: &Pool, rng: &mut ChaCha
         }
         for o in &catalogue.operators {
             operator(s, pool, rng, o);
+        }
+    }
+}
+
+/// Functions of one argument get every value there is.
+fn sweep(s: &mut Session, catalogue: &Catalogue, pool: &Pool) {
+    for f in catalogue.functions.iter().filter(|f| !f.aggregate) {
+        let [argument] = &f.arguments[..] else { continue };
+        for v in pool.of(argument) {
+            let sql = format!("SELECT {}({}::{argument}) LIMIT {MOST_ROWS}", f.name, quoted(&v.text));
+            let _ = s.query(&format!("{} of every value", f.signature), &sql, &[]);
         }
     }
 }

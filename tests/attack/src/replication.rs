@@ -18,6 +18,8 @@ const PATIENCE: Duration = Duration::from_secs(20);
 pub fn run(s: &mut Session, catalogue: &Catalogue) {
     let mut subscriber = Cluster::start("subscriber", AMPLE_KB, "max_logical_replication_workers = 4");
     let mut there = subscriber.database("attack");
+    // Only what the publisher says from now on is of this piece.
+    s.cluster.new_log();
     for t in &catalogue.types {
         there = if there.is_closed() { subscriber.connect("attack") } else { there };
         replicate(s, &mut subscriber, &mut there, t);
@@ -76,16 +78,16 @@ fn changes(p: &str) -> [String; 4] {
     ]
 }
 
-/// Takes publication and slot away; what the slot's sender did to the server is booked already.
-fn clear(s: &mut Session, p: &str) {
+/// Takes publication and slot away, by a connection of its own: what the sender did to the server is booked already.
+fn clear(s: &Session, p: &str) {
+    let slot = format!("FROM pg_replication_slots WHERE slot_name = 's_{p}'");
     for sql in [
         format!("DROP PUBLICATION IF EXISTS p_{p}"),
-        "SELECT pg_terminate_backend(active_pid) FROM pg_replication_slots WHERE active".into(),
-        format!(
-            "SELECT pg_drop_replication_slot(slot_name) FROM pg_replication_slots WHERE slot_name = 's_{p}' AND NOT active"
-        ),
+        format!("SELECT pg_terminate_backend(active_pid) {slot}"),
+        "SELECT pg_sleep(0.1)".into(),
+        format!("SELECT pg_drop_replication_slot(slot_name) {slot}"),
     ] {
-        let _ = s.text("replication, clearing up", &sql);
+        let _ = s.cluster.connect("attack").batch_execute(&sql);
     }
 }
 

@@ -39,6 +39,9 @@ const KINDS: [(Kind, &str); 9] = [
     (Kind::Stale, "stale"),
 ];
 
+/// Findings of a kind that are printed; all of them are kept in files.
+const MOST_SHOWN: usize = 12;
+
 /// Counts of one piece.
 #[derive(Default)]
 struct Tally {
@@ -107,6 +110,13 @@ impl Report {
         let seed = self.seed;
         let whole = format!("-- {kind:?} [{key}] piece {piece}, seed {seed}\n-- {}\n{statement}\n", one_line(detail));
         let _ = std::fs::write(&file, whole);
+        let n = self.seen.iter().filter(|(k, _)| *k == kind).count();
+        if n > MOST_SHOWN {
+            if n == MOST_SHOWN + 1 {
+                println!("    … further {kind:?} findings only in {}", self.folder.display());
+            }
+            return;
+        }
         println!("FINDING {kind:?} in {piece} [{key}], seed {seed}: {}", shortened(detail, 400));
         println!("    {}", shortened(statement, 700));
         println!("    whole: {}", file.display());

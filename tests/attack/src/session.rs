@@ -9,7 +9,7 @@ use postgres::types::{FromSql, IsNull, ToSql, Type, to_sql_checked};
 use postgres::{Client, SimpleQueryMessage};
 
 use crate::cluster::{Cluster, deaths};
-use crate::report::{Kind, Report, shortened};
+use crate::report::{Kind, Report};
 use crate::watch::Watch;
 
 /// A value as it goes over the wire in binary, whatever its type.
@@ -131,8 +131,12 @@ impl<'a> Session<'a> {
         }
         self.report.error(&code);
         let told = format!("{} {} {}", db.message(), db.detail().unwrap_or(""), db.hint().unwrap_or(""));
+        if std::env::var("ATTACK_SHOW").is_ok_and(|c| c == code) {
+            println!("{code} {told}: {}", crate::report::shortened(statement, 200));
+        }
         if code.starts_with("XX") {
-            let what = format!("{key}: {}", without_numbers(&shortened(db.message(), 60)));
+            let message: String = db.message().chars().filter(|c| !c.is_ascii_digit()).take(40).collect();
+            let what = format!("{key}: {code} {message}");
             self.report.finding(Kind::Internal, &what, statement, &format!("{code} {told}"));
         }
         if ["rust_begin_unwind", "stack backtrace", "backtrace:", "/src/", ".rs:"].iter().any(|t| told.contains(t)) {
@@ -214,10 +218,6 @@ impl<'a> Session<'a> {
 fn into_postgres(e: std::io::Error) -> postgres::Error {
     let inner = e.into_inner().expect("the driver's error");
     *inner.downcast::<postgres::Error>().expect("the driver's error")
-}
-
-fn without_numbers(text: &str) -> String {
-    text.chars().filter(|c| !c.is_ascii_digit()).collect()
 }
 
 pub fn hex(bytes: &[u8]) -> String {

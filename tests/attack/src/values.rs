@@ -197,7 +197,7 @@ const OURS: &[(&str, &str)] = &[
     ("ab_pose", "ab_pose(ARRAY[1e6,2e6,3]::float8[], ARRAY[0.5,0.5,0.5,0.5]::float8[], 2, 0.001, 0.01, 0.001)"),
     ("ab_grid", "ab_grid(0.1, ab_box(0, -1, -1, 6, 1, 1))"),
     ("ab_grid", "ab_grid(0.05)"),
-    ("ab_grid", "ab_grid(1000, no_return_range => 10)"),
+    ("ab_grid", "ab_grid(100, no_return_range => 10)"),
     ("ab_occupancy", "ab_voxelize(ab_solid(ab_box(5, -0.5, -0.5, 5.2, 0.5, 0.5)), 0.1)"),
     (
         "ab_occupancy",
