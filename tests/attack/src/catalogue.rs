@@ -16,6 +16,14 @@ pub struct Function {
     /// Types of the input arguments, as SQL.
     pub arguments: Vec<String>,
     pub result: String,
+    /// Names of the input arguments; empty where they have none.
+    pub names: Vec<String>,
+    /// How many of the last arguments may be left out.
+    pub defaults: i16,
+    /// `OUT` arguments, as SQL.
+    pub outs: String,
+    /// What stands behind RETURNS.
+    pub returns: String,
     /// Lower-case words of its comment and defaults: candidates for its text arguments.
     pub words: Vec<String>,
 }
@@ -77,7 +85,10 @@ fn functions(client: &mut Client) -> Vec<Function> {
         "SELECT format('%I.%I', o.pronamespace::regnamespace, o.proname), o.oid::regprocedure::text, o.prokind = 'a', \
          o.provolatile = 'i', o.prorettype::regtype::text, \
          ARRAY(SELECT t::regtype::text FROM unnest(o.proargtypes) WITH ORDINALITY u(t, n) ORDER BY n), \
-         coalesce(obj_description(o.oid, 'pg_proc'), '') || ' ' || coalesce(pg_get_expr(o.proargdefaults, 0), '') \
+         coalesce(obj_description(o.oid, 'pg_proc'), '') || ' ' || coalesce(pg_get_expr(o.proargdefaults, 0), ''), \
+         coalesce(o.proargnames[:o.pronargs], '{{}}'), o.pronargdefaults, \
+         coalesce((SELECT string_agg(format('OUT %I %s', n, t::regtype), ', ') FROM unnest(o.proargnames, o.proallargtypes, o.proargmodes) \
+           u(n, t, m) WHERE m = 'o'), ''), coalesce(pg_get_function_result(o.oid), '') \
          {} WHERE o.prokind IN ('f', 'a') ORDER BY 2",
         members("pg_proc")
     );
@@ -89,6 +100,10 @@ fn functions(client: &mut Client) -> Vec<Function> {
         result: r.get(4),
         arguments: r.get(5),
         words: words(r.get(6)),
+        names: r.get(7),
+        defaults: r.get(8),
+        outs: r.get(9),
+        returns: r.get(10),
     };
     client.query(&sql, &[]).expect("pg_proc").iter().map(of).collect()
 }

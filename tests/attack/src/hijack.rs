@@ -32,20 +32,22 @@ pub fn run(report: &mut Report) {
     let files = crate::files::for_hijack(&folder);
     cluster
         .connect("postgres")
-        .batch_execute("CREATE ROLE attacker LOGIN; CREATE ROLE victim LOGIN SUPERUSER")
+        .batch_execute("CREATE ROLE attacker LOGIN; CREATE ROLE victim LOGIN SUPERUSER; CREATE ROLE plain LOGIN")
         .unwrap();
-    for (name, schema) in [
-        ("unharmed", "public"),
-        ("functions", "public"),
-        ("elsewhere", "house"),
-        ("first", "later"),
-        ("tables", "public"),
+    // A superuser is a member of every role, so what a plain user refuses may still catch one.
+    for (name, schema, victim) in [
+        ("unharmed", "public", "victim"),
+        ("functions", "public", "victim"),
+        ("elsewhere", "house", "victim"),
+        ("first", "later", "victim"),
+        ("tables", "public", "victim"),
+        ("tables_of_a_plain_user", "public", "plain"),
     ] {
         let (mut owner, mut attacker) = database(&cluster, name, schema);
         let key = format!("hijack by {name}");
         let planted = match name {
             "unharmed" => vec![],
-            "tables" => tables(),
+            _ if name.starts_with("tables") => tables(),
             _ => functions(&mut owner, schema),
         };
         for sql in &planted {
@@ -55,7 +57,7 @@ pub fn run(report: &mut Report) {
         let mut outputs = vec![];
         for arguments in commands(&files) {
             report.executed(1);
-            outputs.push(output(&cluster, name, schema, &arguments));
+            outputs.push(output(&cluster, name, schema, victim, &arguments));
         }
         if name == "unharmed" && outputs.iter().any(|o| !o.status.success()) {
             let said: Vec<String> = outputs.iter().map(|o| String::from_utf8_lossy(&o.stderr).into_owned()).collect();
@@ -95,85 +97,79 @@ fn commands(files: &[String]) -> Vec<Vec<String>> {
     all
 }
 
-fn output(cluster: &Cluster, name: &str, schema: &str, arguments: &[String]) -> Output {
+fn output(cluster: &Cluster, name: &str, schema: &str, victim: &str, arguments: &[String]) -> Output {
     Command::new("timeout")
         .arg("60")
         .arg(program())
         .args(arguments)
         .env("PGHOST", cluster.socket_dir())
-        .env("PGUSER", "victim")
+        .env("PGUSER", victim)
         .env("PGDATABASE", format!("hijack_{name}"))
         .env("PGOPTIONS", format!("-c search_path=public,{schema}"))
         .output()
         .expect("the program runs")
 }
 
-/// For every function of the extension, by name: the same name with the same arguments, with every argument text, and
-/// with those of string category that an untyped literal prefers.
+/// For every function of the extension: functions of its name in public that fit a call as well or better.
 fn functions(owner: &mut Client, schema: &str) -> Vec<String> {
+    // With this path the catalogue names every type with its schema.
+    owner.batch_execute("SET search_path = pg_catalog").unwrap();
     let catalogue = if schema == "later" {
         // The names are known from another database; here the extension is not there yet.
-        owner
-            .batch_execute(
-                "CREATE SCHEMA spare; CREATE EXTENSION asbuilt SCHEMA spare; SET search_path = spare, public",
-            )
-            .unwrap();
+        owner.batch_execute("CREATE SCHEMA spare; CREATE EXTENSION asbuilt SCHEMA spare").unwrap();
         let read = Catalogue::read(owner);
-        owner.batch_execute("DROP EXTENSION asbuilt; DROP SCHEMA spare; RESET search_path").unwrap();
+        owner.batch_execute("DROP EXTENSION asbuilt; DROP SCHEMA spare").unwrap();
         read
     } else {
-        owner.batch_execute(&format!("SET search_path = {schema}, public")).unwrap();
         Catalogue::read(owner)
     };
-    let callable =
-        |f: &&Function| !f.arguments.is_empty() && !f.arguments.iter().any(|a| a == "internal" || a == "cstring");
-    let mut sql: Vec<String> = catalogue.functions.iter().filter(callable).flat_map(|f| disguises(f, schema)).collect();
-    // And functions of PostgreSQL that the program calls, for arguments that fit better than theirs.
+    let is_called = |f: &&Function| !f.aggregate && !f.arguments.iter().any(|a| a == "internal" || a == "cstring");
+    let mut sql: Vec<String> = catalogue.functions.iter().filter(is_called).flat_map(disguises).collect();
+    // And of PostgreSQL's own that the program calls, for arguments that fit better than theirs.
     for (name, arguments) in [
         ("to_regclass", "varchar"),
+        ("to_regtype", "varchar"),
         ("hashtext", "varchar"),
         ("format", "varchar, varchar"),
         ("floor", "real"),
         ("length", "varchar"),
+        ("round", "real, integer"),
     ] {
-        sql.push(planted(name, arguments, "integer"));
+        sql.push(planted(name, arguments, "integer", "NULL"));
     }
     sql
 }
 
-fn disguises(f: &Function, schema: &str) -> Vec<String> {
+/// The same arguments; the first of them without defaults, which wins over a longer list with defaults; and text where
+/// an untyped literal may stand, which prefers it.
+fn disguises(f: &Function) -> Vec<String> {
     let name = f.name.rsplit('.').next().unwrap();
     let n = f.arguments.len();
-    let typed: Vec<String> = f
-        .arguments
-        .iter()
-        .map(|a| {
-            if a.contains('.') || schema == "public" || !a.starts_with("ab_") {
-                a.clone()
-            } else {
-                format!("{schema}.{a}")
-            }
-        })
-        .collect();
-    let mut all = vec![planted(name, &typed.join(", "), "text"), planted(name, &vec!["text"; n].join(", "), "text")];
-    let mixed: Vec<String> =
-        f.arguments.iter().map(|a| if a == "ab_loa" || a == "ab_box" { "text".into() } else { a.clone() }).collect();
-    all.push(planted(name, &mixed.join(", "), "text"));
+    let list = |k: usize, as_text: &dyn Fn(&str) -> bool, defaults: usize| {
+        let argument = |i: usize| {
+            let ty = if as_text(&f.arguments[i]) { "text" } else { &f.arguments[i] };
+            let given = f.names.get(i).filter(|n| !n.is_empty()).map_or(String::new(), |n| format!("\"{n}\" "));
+            format!("{given}{ty}{}", if i + defaults >= n { " DEFAULT NULL" } else { "" })
+        };
+        let mut all: Vec<String> = (0..k).map(argument).collect();
+        all.extend((!f.outs.is_empty()).then(|| f.outs.clone()));
+        all.join(", ")
+    };
+    let value = if f.outs.is_empty() && !f.returns.starts_with("SETOF") { "NULL" } else { "" };
+    let of = |arguments: String| planted(name, &arguments, &f.returns, value);
+    let defaults = f.defaults as usize;
+    let mut all: Vec<String> = (n - defaults..=n).map(|k| of(list(k, &|_| false, 0))).collect();
+    all.push(of(list(n, &|ty| !ty.contains("ab_"), defaults)));
+    all.push(of(list(n, &|ty| ty == "double precision", defaults)));
+    all.push(of(list(n, &|_| true, defaults)));
     all
 }
 
-fn planted(name: &str, arguments: &str, result: &str) -> String {
-    let n = arguments.split(", ").count();
-    // Every argument but the first has a default, so that calls with fewer fit, too.
-    let list: Vec<String> = arguments
-        .split(", ")
-        .enumerate()
-        .map(|(i, a)| if i == 0 || n == 1 { a.into() } else { format!("{a} DEFAULT NULL") })
-        .collect();
+fn planted(name: &str, arguments: &str, returns: &str, value: &str) -> String {
+    let how = format!("{name}({arguments})").replace('\'', "''");
     format!(
-        "CREATE FUNCTION public.{name}({}) RETURNS {result} LANGUAGE plpgsql AS $$ BEGIN \
-         INSERT INTO public.marker VALUES (current_user, '{name}({arguments})'); RETURN NULL; END $$",
-        list.join(", ")
+        "CREATE FUNCTION public.{name}({arguments}) RETURNS {returns} LANGUAGE plpgsql AS $$ BEGIN \
+         INSERT INTO public.marker VALUES (current_user, '{how}'); RETURN {value}; END $$"
     )
 }
 

@@ -55,7 +55,7 @@ const HEAVY: &[(&str, bool, &str)] = &[
     (
         "evidence_agg in groups",
         true,
-        "SELECT count(ab_evidence_agg(solid, patch, ab_evidence_model(spacing => 0.01))) FROM heavy.solids, heavy.scans GROUP BY id",
+        "SELECT count(e) FROM (SELECT ab_evidence_agg(solid, patch, ab_evidence_model(spacing => 0.01)) AS e FROM heavy.solids, heavy.scans GROUP BY id) x",
     ),
     (
         "rollup_agg of evidence",
@@ -185,7 +185,12 @@ pub fn run(report: &mut Report, short: bool, seconds: f64) {
 }
 
 fn one(s: &mut Session, (name, _, sql): &(&str, bool, &str)) {
-    match s.query(name, sql, &[]) {
+    let began = std::time::Instant::now();
+    let answer = s.query(name, sql, &[]);
+    if std::env::var("ATTACK_SHOW").is_ok_and(|c| c == "times") {
+        println!("{:>6.2} s {name}: {:?}", began.elapsed().as_secs_f64(), answer.as_ref().map(|r| r.len()));
+    }
+    match answer {
         Err(Fault::State(code)) if code.starts_with("42") => {
             s.report.finding(
                 Kind::Stale,

@@ -64,6 +64,8 @@ fn replicate(s: &mut Session, subscriber: &mut Cluster, there: &mut Client, t: &
     }
     end(subscriber, there, p);
     clear(s, p);
+    // A publisher that died took this session with it.
+    s.set_up("");
 }
 
 /// What happens to the published table.
