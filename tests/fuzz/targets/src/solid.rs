@@ -43,7 +43,8 @@ pub fn ewkb(data: &[u8]) {
 fn round_trip(solid: &Solid) {
     let Ok(bytes) = bounded(|i| solid.to_bytes(i)) else { return };
     match bounded(|i| Solid::from_bytes(&bytes, i)) {
-        Ok(again) => assert_eq!(*solid, again, "a solid changed through its bytes"),
+        // The volume of an open surface is not a number, so unequal to itself: compare what is stored.
+        Ok(again) => assert_eq!(bounded(|i| again.to_bytes(i)).ok(), Some(bytes), "a solid changed through its bytes"),
         Err(asbuilt_core::Error::Interrupted) => {}
         Err(e) => panic!("a solid is refused as its own bytes: {e}"),
     }
