@@ -7,7 +7,9 @@ fuzz=target/fuzz/x86_64-unknown-linux-gnu/release/fuzz
 for found in target/attack/fuzz/*/; do
   target=$(basename "$found")
   merged=$(mktemp -d)
-  ASBUILT_FUZZ_TARGET=$target "$fuzz" -merge=1 -max_len=4096 "$merged" "tests/fuzz/corpus/$target" "$found" 2>/dev/null
+  ASBUILT_FUZZ_TARGET=$target "$fuzz" -merge=1 -timeout=5 -max_len=2048 "$merged" "tests/fuzz/corpus/$target" "$found" 2>/dev/null || true
+  # What an issue reported stays, whether it covers more or not.
+  cp "tests/fuzz/corpus/$target"/issue* "$merged/" 2>/dev/null || true
   rm -rf "tests/fuzz/corpus/$target"
   mkdir -p "tests/fuzz/corpus/$target"
   cp "$merged"/* "tests/fuzz/corpus/$target/" 2>/dev/null || true

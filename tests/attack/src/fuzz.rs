@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 use std::process::Command;
 
+use asbuilt_fuzz_targets::End;
+
 use crate::cluster::root;
 use crate::report::{Kind, Report};
 
@@ -34,23 +36,12 @@ fn replay(report: &mut Report) {
         files.sort();
         for file in files {
             report.executed(1);
-            let bytes = std::fs::read(&file).unwrap_or_default();
-            let began = std::time::Instant::now();
-            if std::panic::catch_unwind(|| (target.run)(&bytes)).is_err() {
-                report.finding(
-                    Kind::Crash,
-                    &format!("fuzz {}", target.name),
-                    &file.display().to_string(),
-                    "a kept input panics",
-                );
-            }
-            if began.elapsed().as_secs() >= 5 {
-                report.finding(
-                    Kind::Hang,
-                    &format!("fuzz {}", target.name),
-                    &file.display().to_string(),
-                    "a kept input takes 5 s",
-                );
+            let key = format!("fuzz {}", target.name);
+            let shown = file.display().to_string();
+            match asbuilt_fuzz_targets::replay(target, std::fs::read(&file).unwrap_or_default()) {
+                End::Survived => {}
+                End::Panicked => report.finding(Kind::Crash, &key, &shown, "a kept input panics"),
+                End::Hung => report.finding(Kind::Hang, &key, &shown, "a kept input takes more than 5 s"),
             }
         }
     }

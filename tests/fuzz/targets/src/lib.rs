@@ -46,6 +46,29 @@ fn bounded<T>(work: impl FnOnce(asbuilt_core::Interrupt) -> T) -> T {
     work(&|| asked.fetch_add(1, Ordering::Relaxed) > 2000)
 }
 
+/// How a kept input ended.
+#[derive(Debug, PartialEq, Eq)]
+pub enum End {
+    Survived,
+    Panicked,
+    Hung,
+}
+
+/// Runs one input on a thread of its own; one that does not end within 5 s is left behind.
+pub fn replay(target: &Target, bytes: Vec<u8>) -> End {
+    let (tell, told) = std::sync::mpsc::channel();
+    let run = target.run;
+    let thread = std::thread::spawn(move || {
+        run(&bytes);
+        let _ = tell.send(());
+    });
+    match told.recv_timeout(std::time::Duration::from_secs(5)) {
+        Ok(()) => End::Survived,
+        Err(std::sync::mpsc::RecvTimeoutError::Timeout) => End::Hung,
+        Err(_) => thread.join().map_or(End::Panicked, |()| End::Survived),
+    }
+}
+
 /// Valid inputs to start from, a few for each target.
 pub fn seeds(target: &str) -> Vec<Vec<u8>> {
     build::seeds(target)
