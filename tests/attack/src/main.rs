@@ -157,8 +157,8 @@ fn through_sql(plan: &Plan, report: &mut Report) {
 fn one_round(piece: &str, s: &mut Session, catalogue: &Catalogue, pool: &mut Pool, rng: &mut ChaCha8Rng) {
     match piece {
         "types" => types::run(s, catalogue, pool, rng, 40),
-        "functions" => functions::run(s, catalogue, pool, rng, 8),
-        "aggregates" => aggregates::run(s, catalogue, pool, rng, 12),
+        "functions" => functions::run(s, catalogue, pool, rng, 16),
+        "aggregates" => aggregates::run(s, catalogue, pool, rng, 40),
         "parallel" => aggregates::run_parallel(s, catalogue, pool, rng, 1),
         "replication" => replication::run(s, catalogue),
         _ => indexes::run(s, catalogue, pool, rng, 3),

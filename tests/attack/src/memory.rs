@@ -178,6 +178,7 @@ pub fn run(report: &mut Report, short: bool, seconds: f64) {
             break;
         }
     }
+    huge_binary(&mut s, &catalogue, if short { 100 << 20 } else { 700 << 20 });
     let limits: &[u64] = if short { &[64] } else { &[64, 128, 256] };
     for &limit in limits {
         for heavy in HEAVY.iter().filter(|h| h.1) {
@@ -208,6 +209,29 @@ fn one(s: &mut Session, (name, _, sql): &(&str, bool, &str)) {
     }
     if !s.others_live() {
         s.report.finding(Kind::Crash, &format!("{name}, others"), sql, "another session does not answer");
+    }
+}
+
+/// A field of hundreds of megabytes in binary COPY, for every type, its first byte that of a layout that may be.
+fn huge_binary(s: &mut Session, catalogue: &Catalogue, bytes: usize) {
+    let mut stream = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0\x01".to_vec();
+    stream.extend((bytes as u32).to_be_bytes());
+    stream.resize(stream.len() + bytes, 0);
+    stream.extend((-1i16).to_be_bytes());
+    for t in &catalogue.types {
+        let key = format!("binary form of {} MB as {}", bytes >> 20, t.name);
+        let table = format!("heavy.huge_{}", t.plain);
+        let _ = s.execute(&key, &format!("CREATE TABLE IF NOT EXISTS {table} (v {})", t.name));
+        let sql = format!("COPY {table} FROM STDIN (FORMAT binary)");
+        for front in [0, 1, 2] {
+            stream[25] = front;
+            match s.copy_in(&key, &sql, &stream) {
+                Err(Fault::State(code)) if !is_refusal(&code) => {
+                    s.report.finding(Kind::Wrong, &key, &sql, &format!("refused by {code}"));
+                }
+                _ => {}
+            }
+        }
     }
 }
 

@@ -10,62 +10,80 @@ use crate::report::Kind;
 use crate::session::Session;
 
 /// What a publisher needs beside.
-pub const PUBLISHER: &str = "wal_level = logical\nmax_wal_senders = 5\nmax_replication_slots = 5";
+pub const PUBLISHER: &str = "wal_level = logical\nmax_wal_senders = 10\nmax_replication_slots = 10";
 
 /// The subscriber catches up within this, or something is wrong.
 const PATIENCE: Duration = Duration::from_secs(20);
 
+/// All types at once; each alone, to name the one, when that fails.
 pub fn run(s: &mut Session, catalogue: &Catalogue) {
-    let mut subscriber = Cluster::start("subscriber", AMPLE_KB, "max_logical_replication_workers = 4");
+    let mut subscriber = Cluster::start(
+        "subscriber",
+        AMPLE_KB,
+        "max_logical_replication_workers = 8\nmax_sync_workers_per_subscription = 4",
+    );
     let mut there = subscriber.database("attack");
     // Only what the publisher says from now on is of this piece.
     s.cluster.new_log();
-    for t in &catalogue.types {
-        there = if there.is_closed() { subscriber.connect("attack") } else { there };
-        replicate(s, &mut subscriber, &mut there, t);
+    let all: Vec<&Type> = catalogue.types.iter().collect();
+    if replicate(s, &mut subscriber, &mut there, &all, "all") {
+        return;
+    }
+    for t in all {
+        replicate(s, &mut subscriber, &mut there, &[t], &t.plain);
     }
 }
 
 /// Values alone, in arrays and in composites; REPLICA IDENTITY FULL where the type has `=`: rows are then found by it.
-fn table(t: &Type) -> String {
-    format!("CREATE TABLE attack.s_{0} (id integer PRIMARY KEY, v {1}, a {1}[], c attack.c_{0})", t.plain, t.name)
+fn table(t: &Type, publisher: bool) -> String {
+    let made =
+        format!("CREATE TABLE attack.s_{0} (id integer PRIMARY KEY, v {1}, a {1}[], c attack.c_{0})", t.plain, t.name);
+    match publisher {
+        true if t.equal => format!(
+            "DROP TABLE IF EXISTS attack.s_{0}; {made}; ALTER TABLE attack.s_{0} REPLICA IDENTITY FULL",
+            t.plain
+        ),
+        true => format!("DROP TABLE IF EXISTS attack.s_{}; {made}", t.plain),
+        false => format!("CREATE TYPE attack.c_{0} AS (n integer, v {1}, a {1}[]); {made}", t.plain, t.name),
+    }
 }
 
-fn replicate(s: &mut Session, subscriber: &mut Cluster, there: &mut Client, t: &Type) {
-    let p = &t.plain;
-    let key = format!("replication of {}", t.name);
-    let full = if t.equal { format!("ALTER TABLE attack.s_{p} REPLICA IDENTITY FULL; ") } else { String::new() };
-    let publish = format!(
-        "DROP TABLE IF EXISTS attack.s_{p}; {}; {full}CREATE PUBLICATION p_{p} FOR TABLE attack.s_{p}",
-        table(t)
-    );
-    let host = s.cluster.socket_dir().display().to_string();
-    let subscribe = [
-        format!("CREATE TYPE attack.c_{p} AS (n integer, v {0}, a {0}[])", t.name),
-        table(t),
-        format!(
-            "CREATE SUBSCRIPTION s_{p} CONNECTION 'host={host} user=postgres dbname=attack' PUBLICATION p_{p} \
-             WITH (binary = true, slot_name = 's_{p}')"
-        ),
-    ];
-    let statement = format!("{publish};\n-- there:\n{};\n-- here:\n{}", subscribe.join(";\n"), changes(p).join(";\n"));
+/// Publishes, subscribes, changes, compares; whether all went well.
+fn replicate(s: &mut Session, subscriber: &mut Cluster, there: &mut Client, types: &[&Type], p: &str) -> bool {
+    let key = format!("replication of {p}");
+    let names: Vec<String> = types.iter().map(|t| format!("attack.s_{}", t.plain)).collect();
+    let mut publish: Vec<String> = types.iter().map(|t| table(t, true)).collect();
+    publish.push(format!("CREATE PUBLICATION p_{p} FOR TABLE {}", names.join(", ")));
+    let mut subscribe: Vec<String> = types.iter().map(|t| table(t, false)).collect();
+    subscribe.push(format!(
+        "CREATE SUBSCRIPTION s_{p} CONNECTION 'host={} user=postgres dbname=attack' PUBLICATION p_{p} \
+         WITH (binary = true, slot_name = 's_{p}')",
+        s.cluster.socket_dir().display()
+    ));
+    let changes: Vec<String> = types.iter().flat_map(|t| changes(&t.plain)).collect();
+    let statement =
+        [&publish[..], &["-- there:".into()], &subscribe, &["-- here:".into()], &changes].concat().join(";\n");
     clear(s, p);
-    if s.execute(&key, &publish).is_err() {
-        return;
+    for sql in &publish {
+        let _ = s.execute(&key, sql);
     }
-    match subscribe.iter().try_for_each(|sql| there.batch_execute(sql)) {
+    let clean = match subscribe.iter().try_for_each(|sql| there.batch_execute(sql)) {
         Ok(()) => {
-            for change in changes(p) {
+            for change in changes {
                 let _ = s.execute(&key, &change);
             }
-            caught_up(s, subscriber, there, t, &key, &statement);
+            caught_up(s, subscriber, there, types, &key, &statement)
         }
-        Err(e) => s.report.finding(Kind::Stale, &key, &statement, &format!("{e:?}")),
-    }
-    end(subscriber, there, p);
+        Err(e) => {
+            s.report.finding(Kind::Stale, &key, &statement, &format!("{e:?}"));
+            false
+        }
+    };
+    end(subscriber, there, types, p);
     clear(s, p);
     // A publisher that died took this session with it.
     s.set_up("");
+    clean
 }
 
 /// What happens to the published table.
@@ -94,46 +112,56 @@ fn clear(s: &Session, p: &str) {
 }
 
 /// Waits until both hold the same; books what died meanwhile.
-fn caught_up(s: &mut Session, subscriber: &mut Cluster, there: &mut Client, t: &Type, key: &str, statement: &str) {
-    let sum = format!(
-        "SELECT count(*) || ' ' || coalesce(md5(string_agg(x::text, ';' ORDER BY id)), '') FROM attack.s_{} x",
-        t.plain
-    );
+fn caught_up(
+    s: &mut Session,
+    subscriber: &mut Cluster,
+    there: &mut Client,
+    types: &[&Type],
+    key: &str,
+    statement: &str,
+) -> bool {
+    let sum = |t: &&Type| {
+        format!(
+            "(SELECT count(*) || ' ' || coalesce(md5(string_agg(x::text, ';' ORDER BY id)), '') FROM attack.s_{} x)",
+            t.plain
+        )
+    };
+    let sums = format!("SELECT {}", types.iter().map(sum).collect::<Vec<_>>().join(" || "));
     let began = Instant::now();
     loop {
         for (who, log) in [("publisher", s.cluster.new_log()), ("subscriber", subscriber.new_log())] {
             let dead = deaths(&log);
             if !dead.is_empty() {
-                return s.report.finding(Kind::Crash, key, statement, &format!("{who}: {}", dead.join("; ")));
+                s.report.finding(Kind::Crash, key, statement, &format!("{who}: {}", dead.join("; ")));
+                return false;
             }
             if let Some(line) = log.lines().find(|l| l.contains(" XX0")) {
                 s.report.finding(Kind::Internal, key, statement, &format!("{who}: {line}"));
             }
         }
-        let here = s.text(key, &sum).ok().and_then(|r| r.first().cloned().flatten());
-        let copy: Option<String> = there.query_one(&sum, &[]).ok().map(|r| r.get(0));
+        let here = s.text(key, &sums).ok().and_then(|r| r.first().cloned().flatten());
+        let copy: Option<String> = there.query_one(&sums, &[]).ok().map(|r| r.get(0));
         if here.is_some() && here == copy {
-            return;
+            return true;
         }
         if began.elapsed() > PATIENCE {
-            return s.report.finding(Kind::Wrong, key, statement, &format!("the copies differ: {here:?}, {copy:?}"));
+            s.report.finding(Kind::Wrong, key, statement, &format!("the copies differ: {here:?}, {copy:?}"));
+            return false;
         }
-        std::thread::sleep(Duration::from_millis(50));
+        std::thread::sleep(Duration::from_millis(100));
     }
 }
 
 /// Gives the subscription up, whatever became of the publisher.
-fn end(subscriber: &Cluster, there: &mut Client, p: &str) {
+fn end(subscriber: &Cluster, there: &mut Client, types: &[&Type], p: &str) {
     if there.is_closed() {
         *there = subscriber.connect("attack");
     }
-    for sql in [
+    let mut sql = vec![
         format!("ALTER SUBSCRIPTION s_{p} DISABLE"),
         format!("ALTER SUBSCRIPTION s_{p} SET (slot_name = NONE)"),
         format!("DROP SUBSCRIPTION s_{p}"),
-        format!("DROP TABLE attack.s_{p}"),
-        format!("DROP TYPE attack.c_{p}"),
-    ] {
-        let _ = there.batch_execute(&sql);
-    }
+    ];
+    sql.extend(types.iter().map(|t| format!("DROP TABLE attack.s_{0}; DROP TYPE attack.c_{0}", t.plain)));
+    sql.iter().for_each(|sql| drop(there.batch_execute(sql)));
 }

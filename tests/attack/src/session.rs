@@ -200,7 +200,7 @@ impl<'a> Session<'a> {
 
     /// COPY … FROM STDIN.
     pub fn copy_in(&mut self, key: &str, sql: &str, bytes: &[u8]) -> Answer<u64> {
-        let shown = format!("{sql} -- from {}", hex(bytes));
+        let shown = format!("{sql} -- {} bytes, from {}", bytes.len(), hex(&bytes[..bytes.len().min(20_000)]));
         self.run(key, &shown, |c| {
             let mut w = c.copy_in(sql)?;
             w.write_all(bytes).map_err(into_postgres)?;

@@ -31,7 +31,7 @@ fn packed(input: &mut Input) -> Option<Patch> {
     let n = usize::from(input.byte()) + 1;
     let mut content = Content::default();
     for _ in 0..n {
-        let returned = origins == Origins::Unknown || input.byte() % 5 != 0;
+        let returned = origins == Origins::Unknown || !input.byte().is_multiple_of(5);
         content.beams.push(Beam { offset: Vec3::from(input.vector()), returned });
     }
     content.starts = (origins == Origins::Each).then(|| (0..n).map(|_| Vec3::from(input.vector())).collect());
