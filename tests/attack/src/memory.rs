@@ -165,7 +165,7 @@ pub fn run(report: &mut Report, short: bool, seconds: f64) {
     let catalogue = Catalogue::read(&mut client);
     drop(client);
     // Long enough to reach the peak; what takes longer is cancelled, and that is an answer.
-    let cancel_after = Duration::from_secs(if short { 2 } else { 20 });
+    let cancel_after = Duration::from_millis(if short { 1200 } else { 20_000 });
     let mut s = Session::new(&mut cluster, report, "attack", cancel_after);
     let began = std::time::Instant::now();
     let calls = if short { 1 } else { 100 };
@@ -178,7 +178,7 @@ pub fn run(report: &mut Report, short: bool, seconds: f64) {
             break;
         }
     }
-    huge_binary(&mut s, &catalogue, if short { 100 << 20 } else { 700 << 20 });
+    huge_binary(&mut s, &catalogue, if short { 32 << 20 } else { 700 << 20 });
     let limits: &[u64] = if short { &[64] } else { &[64, 128, 256] };
     for &limit in limits {
         for heavy in HEAVY.iter().filter(|h| h.1) {
