@@ -40,6 +40,9 @@ pub fn run(report: &mut Report, rng: &mut ChaCha8Rng, short: bool, seconds: f64)
     for seed in &seeds {
         loader.whole(report, seed);
     }
+    for file in crafted(&loader.folder, &seeds) {
+        loader.load(report, &file, &[]);
+    }
     let mut victims = seeds.clone();
     if !short {
         let field = root().join("../shared/data/field");
@@ -60,6 +63,44 @@ pub fn run(report: &mut Report, rng: &mut ChaCha8Rng, short: bool, seconds: f64)
             break;
         }
     }
+}
+
+/// Files whose counts promise more than they hold: what is believed before it is counted takes all memory.
+fn crafted(folder: &Path, seeds: &[PathBuf]) -> Vec<PathBuf> {
+    let read =
+        |name: &str| seeds.iter().find(|s| s.ends_with(name)).and_then(|s| std::fs::read(s).ok()).unwrap_or_default();
+    let words =
+        |name: &str, from: &str, to: &str| String::from_utf8_lossy(&read(name)).replacen(from, to, 1).into_bytes();
+    let number = |name: &str, at: &dyn Fn(&[u8]) -> usize, n: u32| {
+        let mut b = read(name);
+        let at = at(&b);
+        if let Some(slot) = b.get_mut(at..at + 4) {
+            slot.copy_from_slice(&n.to_le_bytes());
+        }
+        b
+    };
+    // The chunk table: its place stands where the points begin; there a version, then the count.
+    let chunks = |b: &[u8]| {
+        let u32_at = |at: usize| b.get(at..at + 4).map_or(0, |s| u32::from_le_bytes(s.try_into().unwrap())) as usize;
+        u32_at(u32_at(96)) + 4
+    };
+    let all = [
+        ("grid.ptx", words("seed.ptx", "10\n10\n", "1000000\n4000\n")),
+        ("vertices.ply", words("ascii.ply", "vertex 100", "vertex 4294967295")),
+        ("points.pcd", words("ascii.pcd", "POINTS 100", "POINTS 4294967295")),
+        ("width.pcd", words("ascii.pcd", "WIDTH 100", "WIDTH 4294967295")),
+        ("count.pts", words("seed.pts", "100\n", "4294967295\n")),
+        ("count.las", number("seed.las", &|_| 107, u32::MAX)),
+        ("count64.las", number("extended.las", &|_| 251, 0x7fff_ffff)),
+        ("chunks.laz", number("seed.laz", &chunks, 0x7fff_ffff)),
+        ("chunks64.laz", number("extended.laz", &chunks, 0x0fff_ffff)),
+    ];
+    let write = |(name, bytes): (&str, Vec<u8>)| {
+        let path = folder.join(name);
+        std::fs::write(&path, bytes).expect("a crafted file");
+        path
+    };
+    all.map(write).into()
 }
 
 fn is_small(path: &Path) -> bool {
