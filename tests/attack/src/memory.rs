@@ -214,7 +214,7 @@ fn one(s: &mut Session, (name, _, sql): &(&str, bool, &str)) {
 
 /// A field of hundreds of megabytes in binary COPY, for every type, its first byte that of a layout that may be.
 fn huge_binary(s: &mut Session, catalogue: &Catalogue, bytes: usize) {
-    let mut stream = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0\x01".to_vec();
+    let mut stream = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0\0\x01".to_vec();
     stream.extend((bytes as u32).to_be_bytes());
     stream.resize(stream.len() + bytes, 0);
     stream.extend((-1i16).to_be_bytes());
