@@ -2,6 +2,7 @@
 #   make demo                                  install what is missing, build, load a demo building, verify it
 #   make demo MODEL=x.ifc SCANS="a.e57 b.e57"  the same on your own files
 #   make test                                  every test
+#   make attack                                the long attack on what is installed: MINUTES=30 SEED=n
 #   make install PG_CONFIG=/path/to/pg_config  the extension into a local PostgreSQL, the program into BINDIR
 
 PG_VERSION ?= 15
@@ -13,7 +14,7 @@ MODEL ?=
 SCANS ?=
 LOA ?=
 
-.PHONY: demo demo-stop test installcheck install bench truth lint docs setup setup-test clean
+.PHONY: demo demo-stop test attack installcheck install bench truth lint docs setup setup-test clean
 
 demo: setup
 	@scripts/demo.sh "$(MODEL)" "$(SCANS)" "$(LOA)"
@@ -27,6 +28,11 @@ test: setup-test
 # Tests against an installed extension and a built program alone.
 installcheck:
 	scripts/installcheck.sh
+
+# Hostile values, files and users against the installed extension and the program: MINUTES=n SEED=n make attack
+attack: setup
+	scripts/install.sh
+	scripts/attack.sh
 
 install: setup
 	scripts/install.sh

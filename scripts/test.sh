@@ -11,3 +11,6 @@ echo "test: program"
 cargo test --quiet --release -p asbuilt-cli
 scripts/install.sh
 scripts/installcheck.sh
+echo "test: attack (short form)"
+cargo test --quiet -p asbuilt-fuzz-targets
+scripts/attack.sh --short
