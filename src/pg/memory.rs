@@ -29,6 +29,9 @@ static HELD: [AtomicIsize; 3] = [const { AtomicIsize::new(0) }; 3];
 static OPEN: AtomicUsize = AtomicUsize::new(0);
 /// What lived when it was opened.
 static BEFORE: AtomicIsize = AtomicIsize::new(0);
+/// The open account's limit and that of all together: settings are read on the main thread alone.
+static LIMIT: AtomicUsize = AtomicUsize::new(usize::MAX);
+static CEILING: AtomicUsize = AtomicUsize::new(usize::MAX);
 
 /// An account that is open until this is dropped.
 #[derive(Debug)]
@@ -67,7 +70,14 @@ fn switch(to: usize) -> usize {
     let (live, open) = (allocator::live(), OPEN.load(Relaxed));
     HELD[open].fetch_add(live - BEFORE.swap(live, Relaxed), Relaxed);
     OPEN.store(to, Relaxed);
+    read_limits();
     open
+}
+
+/// On the main thread: the limits as they are set now.
+fn read_limits() {
+    CEILING.store(settings::memory_ceiling(), Relaxed);
+    LIMIT.store(Account::current().limit(), Relaxed);
 }
 
 /// Bytes on the open account, and in all.
@@ -79,9 +89,9 @@ fn taken() -> [usize; 2] {
 
 /// An error where `more` bytes would be too many, for the open account or for all together.
 fn check(more: usize) -> Result<()> {
-    let (account, ceiling) = (Account::current(), settings::memory_ceiling());
+    let (account, ceiling) = (Account::current(), CEILING.load(Relaxed));
     let [own, all] = taken().map(|bytes| bytes.saturating_add(more));
-    let limit = account.limit().min(ceiling);
+    let limit = LIMIT.load(Relaxed).min(ceiling);
     if own > limit {
         return Err(beyond(account, own, limit, limit == ceiling));
     }
@@ -126,10 +136,12 @@ fn room(bytes: usize) -> Result<()> {
 impl Budget for Backend {
     fn poll(&self) -> Result<()> {
         super::interrupt::serve();
+        read_limits();
         poll_memory()
     }
 
     fn room(&self, bytes: usize) -> Result<()> {
+        read_limits();
         room(bytes)
     }
 }

@@ -49,12 +49,12 @@ SELECT encode(ab_solid_send(ab_solid(ab_box(0,0,0,1,1,1))), 'hex') AS solid \gse
 SELECT encode(ab_scan_send(ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[1,0,0],[1,0.01,0]]::float8[])), 'hex') AS scan \gset
 SELECT ('ab_solid:1:' || left(:'solid', 100))::ab_solid;
 SELECT ('ab_solid:1:' || :'solid' || '00')::ab_solid;
-SELECT ('ab_solid:1:02' || substr(:'solid', 3))::ab_solid;
+SELECT ('ab_solid:1:09' || substr(:'solid', 3))::ab_solid;
 SELECT ('ab_solid:1:' || overlay(:'solid' placing 'ffffffff' from 9 for 8))::ab_solid;
 SELECT ('ab_solid:1:' || overlay(:'solid' placing '000000000000f87f' from 161 for 16))::ab_solid;
 SELECT ('ab_scan:1:' || left(:'scan', 380))::ab_scan;
 SELECT ('ab_scan:1:' || left(:'scan', length(:'scan') - 2))::ab_scan;
-SELECT ('ab_scan:1:03' || substr(:'scan', 3))::ab_scan;
+SELECT ('ab_scan:1:09' || substr(:'scan', 3))::ab_scan;
 SELECT ('ab_scan:1:' || overlay(:'scan' placing 'ffffffff' from 9 for 8))::ab_scan;
 SELECT ('ab_scan:1:' || overlay(:'scan' placing 'ff' from length(:'scan') - 1 for 2))::ab_scan;
 

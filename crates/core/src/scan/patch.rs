@@ -241,6 +241,31 @@ mod tests {
         }
     }
 
+    /// Whoever forges a checksum still cannot make a header tell other boxes than its beams have; station and step are
+    /// as one says.
+    #[test]
+    fn forged_headers_are_refused() {
+        let beams: Vec<Beam> =
+            (0..50).map(|i| Beam { offset: Vec3::new(5.0, 0.01 * f64::from(i), 0.3), returned: true }).collect();
+        let good = Patch::encode(1, Vec3::zeros(), 2e-3, 1e-4, &beams).unwrap();
+        let forged = |forge: &dyn Fn(&mut Header)| {
+            let mut patch = good.clone();
+            forge(&mut patch.header);
+            Patch::from_bytes(&patch.to_bytes())
+        };
+        for forge in [
+            &(|h| h.returns -= 1) as &dyn Fn(&mut Header),
+            &|h| h.points.max[0] += 1e-3,
+            &|h| h.hull.min[2] -= 1e-3,
+            &|h| h.range[1] *= 1.01,
+            &|h| h.cone.half_angle *= 1.01,
+            &|h| h.origin.x += 1e-3,
+        ] {
+            assert!(forged(forge).is_err());
+        }
+        assert!(forged(&|h| (h.station, h.step) = (7, 3e-3)).is_ok());
+    }
+
     #[test]
     fn planes_fit_their_beams() {
         let one = Beam { offset: Vec3::x(), returned: true };

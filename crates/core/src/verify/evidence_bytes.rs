@@ -229,7 +229,7 @@ fn read_station(
     let mut station = Station::new(id, place);
     if header.version >= 3 {
         station.step = r.f32()?;
-        if !(0.0..=4.0).contains(&station.step) {
+        if !(0.0..=1e3).contains(&station.step) {
             return Err(r.bad(format!("a station's step of {} rad", station.step)));
         }
     }

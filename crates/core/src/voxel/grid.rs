@@ -95,6 +95,10 @@ impl Grid {
     pub fn read(r: &mut Reader) -> Result<Self> {
         let voxel = r.f64()?;
         let tile = Aabb { min: r.vec3()?.into(), max: r.vec3()?.into() };
+        let is_bounded = tile.min.iter().chain(&tile.max).all(|c| c.is_finite());
+        if !is_bounded && tile != Self::EVERYWHERE {
+            return Err(r.bad("a tile without end on some axes"));
+        }
         let grid = Self::new(voxel, tile, r.f64()?, r.f64()?)?;
         match r.i64()? {
             0 => Ok(grid),

@@ -6,9 +6,9 @@ use asbuilt_core::scan::{Beam, Content, Gathered, Origins, Patch, Return, Settin
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind};
 use asbuilt_core::voxel::{Change, Grid, Mask, Occupancy, Rule, Settings};
 
+use crate::bounded;
 use crate::input::Input;
 use crate::value::{edits, questions, same_through_bytes};
-use crate::{MOST_MEMORY, bounded};
 
 pub fn patch(data: &[u8]) {
     let Some(patch) = packed(&mut Input(data)) else { return };
@@ -70,7 +70,7 @@ pub fn seeds(target: &str) -> Vec<Vec<u8>> {
             .flat_map(|s| [SurfaceKind::Tin, SurfaceKind::Polyhedral].map(|k| s.to_ewkb(k, NEVER).unwrap()))
             .collect(),
         "patch" => [9, 30].map(|n| wall(n).to_bytes()).into(),
-        "gathered" => vec![rows(12).to_bytes()],
+        "gathered" => vec![rows(12).to_bytes(NEVER).unwrap()],
         "evidence" => [1.0, 0.4].map(|spacing| seen(spacing).to_bytes(NEVER).unwrap()).into(),
         "occupancy" => vec![drawn(0.5).to_bytes(NEVER).unwrap(), drawn(0.1).to_bytes(NEVER).unwrap()],
         "change" => vec![changed(0.5).to_bytes(NEVER).unwrap(), changed(0.1).to_bytes(NEVER).unwrap()],
@@ -100,7 +100,7 @@ fn rows(n: u32) -> Gathered {
     let mut g = Gathered::default();
     for i in 0..n {
         let point = Vec3::new(5.0, f64::from(i) * 0.01, 0.0);
-        g.push(3, &Return { point, origin: Some(Vec3::zeros()), intensity: Some(9), colour: None }).unwrap();
+        g.push(3, &Return { point, origin: Some(Vec3::zeros()), intensity: Some(9), colour: None }, NEVER).unwrap();
     }
     g
 }
@@ -116,13 +116,13 @@ fn seen(spacing: f64) -> Evidence {
 fn drawn(voxel: f64) -> Occupancy {
     let solid = Solid::cuboid([0.0; 3], [1.0, 1.0, 0.5]).unwrap();
     let grid = Grid::new(voxel, solid.bounds(), 0.0, 0.0).unwrap();
-    Mask::of(&solid, &grid, Rule::Centre, MOST_MEMORY, NEVER).unwrap().into_model(grid, MOST_MEMORY, NEVER).unwrap()
+    Mask::of(&solid, &grid, Rule::Centre, NEVER).unwrap().into_model(grid, NEVER).unwrap()
 }
 
 fn changed(voxel: f64) -> Change {
     let settings = Settings { threshold: 1, tolerance: 0.0 };
     let new = Occupancy::new(*drawn(voxel).grid());
-    Change::between(&drawn(voxel), &new, settings, MOST_MEMORY, NEVER).unwrap()
+    Change::between(&drawn(voxel), &new, settings, NEVER).unwrap()
 }
 
 fn texts() -> Vec<Vec<u8>> {

@@ -1,67 +1,49 @@
-//! Checksums set right, so that damage gets past them. Where they stand is found out from valid values, so that this
-//! keeps working when a layout changes.
+//! Mutated bytes under checksums that hold: else every mutation ends at the first check.
 
-use std::collections::HashMap;
+/// Tag, length and checksum before the content of a section (`num/sections.rs` of the core).
+const SECTION_HEAD: usize = 12;
 
-/// The CRC-32 at `at` is of the bytes from `from`, to the end or for `len` bytes.
-#[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub struct Rule {
-    at: usize,
-    from: usize,
-    len: Option<usize>,
-}
-
-/// Longer seeds would take seconds: every stretch of bytes is tried.
-const LONGEST: usize = 1500;
-
-/// The checksums in a valid value.
-pub fn rules(valid: &[u8]) -> Vec<Rule> {
-    if valid.len() > LONGEST {
-        return vec![];
-    }
-    let words: HashMap<u32, usize> =
-        valid.windows(4).enumerate().map(|(at, w)| (u32::from_le_bytes(w.try_into().unwrap()), at)).collect();
-    let mut found = vec![];
-    for from in 0..valid.len() {
-        let mut hasher = crc32fast::Hasher::new();
-        for to in from + 1..=valid.len() {
-            hasher.update(&valid[to - 1..to]);
-            // Short stretches meet by chance.
-            let at = words.get(&hasher.clone().finalize()).filter(|&&at| to - from > 8 && (at + 4 <= from || at >= to));
-            if let Some(&at) = at {
-                let len = (to < valid.len()).then_some(to - from);
-                found.push(Rule { at, from, len });
-            }
+/// The bytes with the checksums that belong to them, as far as their sections (or, in older layouts, their length) go.
+pub fn mended(data: &[u8]) -> Vec<u8> {
+    let mut bytes = data.to_vec();
+    match data {
+        [1 | 2, b'P', ..] => flat(&mut bytes, 12, 200),
+        [1, b'S', ..] => flat(&mut bytes, 12, 80),
+        [1, b'O' | b'C', ..] if data.len() >= 8 => {
+            let checksum = crc(&[&data[..4], &data[8..]]);
+            bytes[4..8].copy_from_slice(&checksum);
         }
-    }
-    found
-}
-
-/// The input with the checksums of `rules` set right where they fit.
-pub fn mended(input: &[u8], rules: &[Rule]) -> Vec<u8> {
-    let mut bytes = input.to_vec();
-    for r in rules {
-        let to = r.len.map_or(bytes.len(), |len| r.from + len);
-        if r.from < to && to <= bytes.len() && r.at + 4 <= bytes.len() {
-            let sum = crc32fast::hash(&bytes[r.from..to]);
-            bytes[r.at..r.at + 4].copy_from_slice(&sum.to_le_bytes());
-        }
+        _ => sections(&mut bytes),
     }
     bytes
 }
 
-/// Rules of all seeds of a target.
-pub fn of_seeds(target: &str) -> Vec<Rule> {
-    let mut all: Vec<Rule> = super::seeds(target).iter().flat_map(|s| rules(s)).collect();
-    all.dedup();
-    all
+/// The checksum at a place is of all that follows another.
+fn flat(bytes: &mut [u8], at: usize, from: usize) {
+    if let Some(body) = bytes.get(from..) {
+        let checksum = crc(&[body]);
+        bytes[at..at + 4].copy_from_slice(&checksum);
+    }
 }
 
-/// A static that holds the rules of a target.
-macro_rules! with_checksums {
-    ($target:literal, $input:expr) => {{
-        static RULES: std::sync::OnceLock<Vec<crate::checksum::Rule>> = std::sync::OnceLock::new();
-        crate::checksum::mended($input, RULES.get_or_init(|| crate::checksum::of_seeds($target)))
-    }};
+/// The first section's checksum covers the four bytes before it, too. A section that is longer than what is left ends there.
+fn sections(bytes: &mut [u8]) {
+    let mut at = 4;
+    while let Some(head) = bytes.get(at..at + SECTION_HEAD) {
+        let left = bytes.len() - at - SECTION_HEAD;
+        let len = u32::from_le_bytes([head[4], head[5], head[6], head[7]]) as usize;
+        let len = if len > left { left } else { len };
+        bytes[at + 4..at + 8].copy_from_slice(&(len as u32).to_le_bytes());
+        let preamble = if at == 4 { &bytes[..4] } else { &[] };
+        let end = at + SECTION_HEAD + len;
+        let checksum = crc(&[preamble, &bytes[at..at + 8], &bytes[at + SECTION_HEAD..end]]);
+        bytes[at + 8..at + SECTION_HEAD].copy_from_slice(&checksum);
+        at = end;
+    }
 }
-pub(crate) use with_checksums;
+
+fn crc(parts: &[&[u8]]) -> [u8; 4] {
+    let mut hasher = crc32fast::Hasher::new();
+    parts.iter().for_each(|part| hasher.update(part));
+    hasher.finalize().to_le_bytes()
+}

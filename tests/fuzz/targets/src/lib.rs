@@ -37,9 +37,6 @@ pub const TARGETS: &[Target] = &[
     Target { name: "texts", run: texts::read },
 ];
 
-/// Memory that a decoder of voxels may take.
-const MOST_MEMORY: usize = 64 << 20;
-
 /// Runs work with an interrupt that says stop when it was asked often: the work is bounded if it asks at all.
 fn bounded<T>(work: impl FnOnce(asbuilt_core::Interrupt) -> T) -> T {
     let asked = AtomicU64::new(0);

@@ -4,12 +4,12 @@ use asbuilt_core::geometry::{Aabb, Solid, SurfaceKind, Vec3, group_faces};
 use asbuilt_core::verify::Samples;
 use asbuilt_core::voxel::{Grid, Mask, Rule};
 
-use crate::checksum::with_checksums;
+use crate::bounded;
+use crate::checksum::mended;
 use crate::input::Input;
-use crate::{MOST_MEMORY, bounded};
 
 pub fn decode(data: &[u8]) {
-    for bytes in [data.to_vec(), with_checksums!("solid", data)] {
+    for bytes in [data.to_vec(), mended(data)] {
         let _ = Solid::header(&bytes);
         let _ = bounded(|i| Solid::from_stored(&bytes, i)).map(|s| questions(&s));
         if let Ok(solid) = bounded(|i| Solid::from_bytes(&bytes, i)) {
@@ -72,8 +72,8 @@ fn voxels(solid: &Solid, bounds: &Aabb) {
     let voxel = (bounds.diagonal() / 24.0).clamp(1e-4, 100.0);
     let Ok(grid) = Grid::new(voxel, *bounds, 0.0, 0.0) else { return };
     for rule in [Rule::Centre, Rule::Cover, Rule::Surface] {
-        if let Ok(mask) = bounded(|i| Mask::of(solid, &grid, rule, MOST_MEMORY, i)) {
-            let _ = bounded(|i| mask.into_model(grid, MOST_MEMORY, i));
+        if let Ok(mask) = bounded(|i| Mask::of(solid, &grid, rule, i)) {
+            let _ = bounded(|i| mask.into_model(grid, i));
         }
     }
 }

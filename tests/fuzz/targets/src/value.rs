@@ -1,14 +1,15 @@
 //! Patches, gathered rows and evidence out of their stored forms.
 
+use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Aabb;
 use asbuilt_core::scan::{Gathered, Patch};
 use asbuilt_core::verify::{Evidence, EvidenceModel, VerdictRule};
 
 use crate::bounded;
-use crate::checksum::with_checksums;
+use crate::checksum::mended;
 
 pub fn patch(data: &[u8]) {
-    for bytes in [data.to_vec(), with_checksums!("patch", data)] {
+    for bytes in [data.to_vec(), mended(data)] {
         let _ = Patch::beams_of(&bytes);
         if let Ok(patch) = Patch::from_bytes(&bytes) {
             assert_eq!(Patch::from_bytes(&patch.to_bytes()).ok(), Some(patch), "a patch changed through its bytes");
@@ -31,12 +32,12 @@ pub fn edits(bytes: &[u8]) {
 }
 
 pub fn gathered(data: &[u8]) {
-    let Ok(g) = Gathered::from_bytes(data) else { return };
-    let bytes = g.to_bytes();
-    let again = Gathered::from_bytes(&bytes).map(|g| g.to_bytes());
+    let Ok(g) = bounded(|i| Gathered::from_bytes(data, i)) else { return };
+    let bytes = g.to_bytes(NEVER).unwrap();
+    let again = Gathered::from_bytes(&bytes, NEVER).and_then(|g| g.to_bytes(NEVER));
     assert_eq!(again.ok(), Some(bytes), "rows changed through their bytes");
     let mut twice = g.clone();
-    let _ = twice.merge(&g);
+    let _ = twice.merge(&g, NEVER);
     for patch in bounded(|i| g.patches(i)).unwrap_or_default() {
         let bytes = patch.to_bytes();
         assert!(Patch::content_of(&bytes).is_ok(), "a packed patch cannot be read");
@@ -44,7 +45,7 @@ pub fn gathered(data: &[u8]) {
 }
 
 pub fn evidence(data: &[u8]) {
-    for bytes in [data.to_vec(), with_checksums!("evidence", data)] {
+    for bytes in [data.to_vec(), mended(data)] {
         let _ = Evidence::header(&bytes);
         if let Ok(e) = bounded(|i| Evidence::from_bytes(&bytes, i)) {
             same_through_bytes(&e);

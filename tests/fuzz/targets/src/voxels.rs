@@ -3,15 +3,15 @@
 use asbuilt_core::geometry::Aabb;
 use asbuilt_core::voxel::{Change, Class, Occupancy, Settings};
 
-use crate::checksum::with_checksums;
-use crate::{MOST_MEMORY, bounded};
+use crate::bounded;
+use crate::checksum::mended;
 
 pub fn occupancy(data: &[u8]) {
-    for bytes in [data.to_vec(), with_checksums!("occupancy", data)] {
+    for bytes in [data.to_vec(), mended(data)] {
         let _ = Occupancy::header(&bytes);
-        let Ok(o) = bounded(|i| Occupancy::from_bytes(&bytes, MOST_MEMORY, i)) else { continue };
+        let Ok(o) = bounded(|i| Occupancy::from_bytes(&bytes, i)) else { continue };
         let Ok(stored) = bounded(|i| o.to_bytes(i)) else { continue };
-        match bounded(|i| Occupancy::from_bytes(&stored, MOST_MEMORY, i)) {
+        match bounded(|i| Occupancy::from_bytes(&stored, i)) {
             Ok(again) => assert_eq!(o, again, "an occupancy changed through its bytes"),
             Err(asbuilt_core::Error::Interrupted) => {}
             Err(e) => panic!("an occupancy is refused as its own bytes: {e}"),
@@ -21,7 +21,6 @@ pub fn occupancy(data: &[u8]) {
 }
 
 fn questions(o: &Occupancy) {
-    let _ = o.check_memory(MOST_MEMORY);
     let _ = bounded(|i| o.for_each(1, i, |_, _, _| ()));
     let _ = bounded(|i| o.tally(3, None, i));
     let _ = bounded(|i| o.denoised(2, 1, i));
@@ -35,18 +34,18 @@ fn questions(o: &Occupancy) {
     let _ = bounded(|i| twice.merge(o, i));
     for tolerance in [0.0, o.grid().voxel] {
         let settings = Settings { threshold: 1, tolerance };
-        if let Ok(c) = bounded(|i| Change::between(o, &twice, settings, MOST_MEMORY, i)) {
+        if let Ok(c) = bounded(|i| Change::between(o, &twice, settings, i)) {
             questions_of_change(&c);
         }
     }
 }
 
 pub fn change(data: &[u8]) {
-    for bytes in [data.to_vec(), with_checksums!("change", data)] {
+    for bytes in [data.to_vec(), mended(data)] {
         let _ = Change::header(&bytes);
-        let Ok(c) = bounded(|i| Change::from_bytes(&bytes, MOST_MEMORY, i)) else { continue };
+        let Ok(c) = bounded(|i| Change::from_bytes(&bytes, i)) else { continue };
         let Ok(stored) = bounded(|i| c.to_bytes(i)) else { continue };
-        match bounded(|i| Change::from_bytes(&stored, MOST_MEMORY, i)) {
+        match bounded(|i| Change::from_bytes(&stored, i)) {
             Ok(again) => assert_eq!(c, again, "a change changed through its bytes"),
             Err(asbuilt_core::Error::Interrupted) => {}
             Err(e) => panic!("a change is refused as its own bytes: {e}"),
@@ -58,7 +57,7 @@ pub fn change(data: &[u8]) {
 fn questions_of_change(c: &Change) {
     let _ = bounded(|i| c.for_each(i, |_, _| ()));
     for class in [Class::New, Class::Disappeared, Class::Confirmed] {
-        let _ = bounded(|i| c.components(class, 1, c.grid().voxel, MOST_MEMORY, i));
+        let _ = bounded(|i| c.components(class, 1, c.grid().voxel, i));
     }
     let _ = bounded(|i| c.tally(None, 0.0, i));
     let _ = bounded(|i| c.clipped(&lower_half(&c.grid().tile), i));
