@@ -79,9 +79,11 @@ RESET enable_seqscan;
 -- wrong questions
 SHOW asbuilt.max_grid_memory;
 SET asbuilt.max_grid_memory = '1MB';
+\set VERBOSITY sqlstate
 SELECT ab_occupancy_agg(patch, ab_grid(0.01)) FROM many;
 SELECT ab_voxelize(ab_solid(ab_box(0,0,0,50,50,50)), 0.01);
 SELECT ab_state(w, 0, 0, 0) FROM whole;
+\set VERBOSITY default
 SET asbuilt.max_grid_memory = 12;
 RESET asbuilt.max_grid_memory;
 SELECT ab_grid(0);

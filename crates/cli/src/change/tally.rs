@@ -65,10 +65,10 @@ impl Report {
     /// Components want the whole at once; where that takes too much memory, the objects are known all the same.
     fn find_components(&mut self, whole: &Change, parts: &Parts) -> Result<()> {
         let gap = parts.gap.unwrap_or(4.0 * whole.grid().voxel);
-        let most = usize::try_from(memory::budget() / 4).unwrap_or(usize::MAX);
+        let most = memory::AtOnce(usize::try_from(memory::budget() / 4).unwrap_or(usize::MAX));
         let mut found = Vec::new();
         for class in [Class::New, Class::Disappeared] {
-            match whole.components(class, parts.least, gap, most, NEVER) {
+            match whole.components(class, parts.least, gap, &most) {
                 Ok(some) => found.extend(some),
                 Err(error @ asbuilt_core::Error::Argument { .. }) => return Err(error.into()),
                 Err(error) => say!("asbuilt: no components: {error}"),
@@ -102,7 +102,7 @@ impl Counted {
         let grid = change.grid();
         let grid = Grid { tile: grid.tile.expanded(tolerance + grid.voxel), ..*grid };
         let rule = if solid.volume().is_ok() { Rule::Cover } else { Rule::Surface };
-        let mask = Mask::of(solid, &grid, rule, usize::MAX, NEVER)?;
+        let mask = Mask::of(solid, &grid, rule, NEVER)?;
         add(&mut self.voxels, &change.tally(Some(&mask), tolerance, NEVER)?.voxels);
         Ok(())
     }

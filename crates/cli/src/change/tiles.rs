@@ -50,7 +50,7 @@ pub struct Tile {
 
 impl Tile {
     pub fn change(&self) -> Result<Change> {
-        Ok(Change::from_bytes(&self.packed, usize::MAX, NEVER)?)
+        Ok(Change::from_bytes(&self.packed, NEVER)?)
     }
 }
 
