@@ -28,9 +28,17 @@ BEGIN ATOMIC
 END;
 COMMENT ON FUNCTION ab_scans(pcpatch, float8[], bigint) IS 'The points of a patch of pgPointcloud as patches of asbuilt, seen from one origin (world metres) or, where that is NULL, from nobody knows where; with intensity where the schema has it, without colour. To cut a whole scan into angular tiles, give ab_scan_agg its exploded points instead';
 
+CREATE FUNCTION _ab_no_such_schema(pcid integer) RETURNS pcpatch
+    LANGUAGE plpgsql STABLE PARALLEL SAFE AS $$
+BEGIN
+    RAISE EXCEPTION 'pgPointcloud has no schema %', pcid
+        USING ERRCODE = 'invalid_parameter_value', HINT = 'SELECT pcid FROM pointcloud_formats shows those it has.';
+END $$;
+COMMENT ON FUNCTION _ab_no_such_schema(integer) IS 'The error of ab_pcpatch';
+
 CREATE FUNCTION ab_pcpatch(patch ab_scan, pcid integer) RETURNS pcpatch
     LANGUAGE sql STABLE STRICT PARALLEL SAFE COST 200000
-    RETURN CASE WHEN ab_pc_dimensions(pcid) IS NULL THEN PC_MakePatch(pcid, '{}'::float8[]) ELSE
+    RETURN CASE WHEN ab_pc_dimensions(pcid) IS NULL THEN _ab_no_such_schema(pcid) ELSE
            (SELECT PC_MakePatch(pcid, array_agg(CASE lower(d.name)
                 WHEN 'x' THEN b.point[1] WHEN 'y' THEN b.point[2] WHEN 'z' THEN b.point[3] WHEN 'range' THEN b.range
                 WHEN 'intensity' THEN b.intensity WHEN 'red' THEN b.colour[1] WHEN 'green' THEN b.colour[2] WHEN 'blue' THEN b.colour[3]

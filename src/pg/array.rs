@@ -57,7 +57,10 @@ pub unsafe fn read_varlenas<'a>(datum: pg_sys::Datum, what: &'static str) -> Res
 /// Rows of three; an array without elements has none.
 pub fn triples<T: Copy>(dims: &[i32], values: &[T], what: &'static str) -> Result<Vec<[T; 3]>> {
     match dims {
-        [] | [_, 3] => Ok(values.as_chunks().0.to_vec()),
+        [] | [_, 3] => {
+            Backend.room(size_of_val(values))?;
+            Ok(values.as_chunks().0.to_vec())
+        }
         _ => Err(Error::argument(what, "an array of n x 3 numbers", shape(dims))),
     }
 }

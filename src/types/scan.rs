@@ -1,7 +1,7 @@
 //! `ab_scan`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Content, Header, Origins, Patch, Setting};
+use asbuilt_core::scan::{Beam, Content, Header, Origins, Patch, Setting, check_count};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
@@ -25,6 +25,7 @@ fn from_arrays(args: &Args) -> Result<Patch> {
     let (origins, starts) = origins(args)?;
     let (origin, station, quantum) = (starts[0], args.i64(3), args.f64(4));
     let points = args.f64_triples(1, "the points")?;
+    check_count(points.len())?;
     if origins == Origins::Each && starts.len() != points.len() {
         let given = format!("{} for {} points", starts.len(), points.len());
         return Err(Error::argument("the origins", "one, or one for every point", given));
@@ -39,6 +40,7 @@ fn from_arrays(args: &Args) -> Result<Patch> {
     }
     if args.has(7) {
         let directions = args.f64_triples(7, "the directions without return")?;
+        check_count(content.len() + directions.len())?;
         if origins == Origins::Each {
             return Err(Error::argument("beams without return", "of one origin", "of several"));
         }
@@ -54,13 +56,17 @@ fn origins(args: &Args) -> Result<(Origins, Vec<Vec3>)> {
     if dims.len() < 2 {
         return Ok((Origins::One, vec![args.vector::<3>(0, "the origin")?.into()]));
     }
-    let starts: Vec<Vec3> = args.f64_triples(0, "the origins")?.into_iter().map(Vec3::from).collect();
+    let starts = args.f64_triples(0, "the origins")?;
+    check_count(starts.len())?;
+    let starts: Vec<Vec3> = starts.into_iter().map(Vec3::from).collect();
     if starts.is_empty() { Err(Error::Empty { what: "the list of origins" }) } else { Ok((Origins::Each, starts)) }
 }
 
 /// ab_cloud(points, spacing, station, quantum, intensity, colour)
 fn cloud(args: &Args) -> Result<Patch> {
-    let points: Vec<Vec3> = args.f64_triples(0, "the points")?.into_iter().map(Vec3::from).collect();
+    let points = args.f64_triples(0, "the points")?;
+    check_count(points.len())?;
+    let points: Vec<Vec3> = points.into_iter().map(Vec3::from).collect();
     let origin = points.first().map_or_else(Vec3::zeros, |p| p.map(f64::round));
     let mut content = Content::of(points.iter().map(|p| Beam { offset: p - origin, returned: true }).collect());
     content.intensity = planes::intensity(args, 4)?;

@@ -130,5 +130,6 @@ SELECT type, outcome(format('SELECT %L::%s', type || ':1:' || encode(set_byte(by
 
 -- No error of a query inside our functions carries a backtrace (the server's environment asks Rust for one).
 SELECT outcome($$SELECT * FROM ab_verify_table('SELECT 1/0, NULL::ab_solid', 'SELECT NULL::ab_scan')$$), outcome($$SELECT * FROM ab_verify_table('SELECT nothing', '')$$);
+DROP CAST (bytea AS ab_solid); DROP CAST (bytea AS ab_scan); DROP CAST (bytea AS ab_evidence); DROP CAST (bytea AS ab_occupancy); DROP CAST (bytea AS ab_change);
 DROP OWNED BY safety_guest;
 DROP ROLE safety_guest;

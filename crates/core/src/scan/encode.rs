@@ -76,16 +76,22 @@ fn leading_axis(quanta: &[[i32; 3]]) -> u8 {
     (0..3u8).max_by_key(|&axis| reach(usize::from(axis))).unwrap_or(0)
 }
 
+/// Fails where there are more beams than a patch holds.
+pub fn check_count(n: usize) -> Result<()> {
+    if n <= MAX_BEAMS {
+        return Ok(());
+    }
+    let (value, limit) = (n.to_string(), MAX_BEAMS.to_string());
+    Err(Error::Limit { what: "the number of beams of a patch", value, limit })
+}
+
 /// Fails where beams and setting are not those of a patch.
 pub fn check(setting: &Setting, content: &Content) -> Result<()> {
     let n = content.len();
     if n == 0 {
         return Err(Error::Empty { what: "the scan patch" });
     }
-    if n > MAX_BEAMS {
-        let (value, limit) = (n.to_string(), MAX_BEAMS.to_string());
-        return Err(Error::Limit { what: "the number of beams of a patch", value, limit });
-    }
+    check_count(n)?;
     if !(1e-7..=1e3).contains(&setting.step) {
         return Err(Error::argument("the step", "between 1e-7 and 1000", setting.step));
     }

@@ -24,7 +24,7 @@ mod view;
 pub(crate) use angular_grid::AngularGrid;
 pub use cone::Cone;
 pub use content::{Beam, Content};
-pub use encode::Setting;
+pub use encode::{Setting, check_count};
 pub use gather::{Gathered, Return};
 pub use header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M, Origins};
 pub use patch::Patch;
