@@ -1,8 +1,9 @@
-//! Small numerical tools: [`normal`] and [`chi_square`] distribution, order [`stats`], interruptible [`sort`], [`bytes`] cursors,
+//! Small numerical tools: [`normal`] and [`chi_square`] distribution, order [`stats`], interruptible [`sort`], bounded `eigen`values, [`bytes`] cursors,
 //! stored values as [`sections`], decimal and hexadecimal [`text`].
 
 pub mod bytes;
 pub mod chi_square;
+pub(crate) mod eigen;
 pub mod normal;
 pub(crate) mod sections;
 pub mod sort;

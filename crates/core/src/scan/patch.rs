@@ -254,7 +254,7 @@ mod tests {
             Patch::from_bytes(&patch.to_bytes())
         };
         for forge in [
-            &(|h| h.returns -= 1) as &dyn Fn(&mut Header),
+            &(|h: &mut Header| h.returns -= 1) as &dyn Fn(&mut Header),
             &|h| h.points.max[0] += 1e-3,
             &|h| h.hull.min[2] -= 1e-3,
             &|h| h.range[1] *= 1.01,

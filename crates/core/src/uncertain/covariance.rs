@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, Dyn, SMatrix, SVector, SymmetricEigen};
 
 use crate::error::{Error, Result};
 use crate::num::chi_square;
+use crate::num::eigen;
 
 /// A correlation eigenvalue below this counts as zero: rank is judged free of units.
 const RANK_TOLERANCE: f64 = 1e-13;
@@ -40,7 +41,7 @@ pub fn settled<const N: usize>(m: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
     if m.iter().any(|x| !x.is_finite()) {
         return *m;
     }
-    let eigen = eigen(&divided(m, &scale));
+    let eigen = eigen_of(&divided(m, &scale));
     if eigen.eigenvalues.min() >= -0.1 * ROUNDING {
         return *m;
     }
@@ -58,11 +59,11 @@ fn scale_of<const N: usize>(m: &SMatrix<f64, N, N>) -> SVector<f64, N> {
 }
 
 fn smallest_eigenvalue<const N: usize>(m: &SMatrix<f64, N, N>) -> f64 {
-    eigen(m).eigenvalues.min()
+    eigen_of(m).eigenvalues.min()
 }
 
-fn eigen<const N: usize>(m: &SMatrix<f64, N, N>) -> SymmetricEigen<f64, Dyn> {
-    SymmetricEigen::new(DMatrix::from_iterator(N, N, m.iter().copied()))
+fn eigen_of<const N: usize>(m: &SMatrix<f64, N, N>) -> SymmetricEigen<f64, Dyn> {
+    eigen::of_any(DMatrix::from_iterator(N, N, m.iter().copied()))
 }
 
 /// The matrix scaled to a unit diagonal, and the scales; rows without variance keep theirs. By Sylvester's law the
@@ -94,7 +95,7 @@ pub fn mahalanobis_squared<const K: usize>(residual: &SVector<f64, K>, s: &SMatr
         return one_direction(residual[0], s[(0, 0)]);
     }
     let (c, scale) = correlation(s);
-    let eigen = eigen(&c);
+    let eigen = eigen_of(&c);
     let scaled = residual.component_div(&scale);
     let (mut statistic, mut dof) = (0.0, 0);
     for (lambda, direction) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {

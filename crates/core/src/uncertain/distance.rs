@@ -1,9 +1,10 @@
 //! Distances with their standard deviations, metres. The two objects are taken as independent of each other.
 
-use nalgebra::{Matrix3, RowVector3, SymmetricEigen};
+use nalgebra::{Matrix3, RowVector3};
 
 use super::{Line, Plane, Point, foot};
 use crate::geometry::Vec3;
+use crate::num::eigen;
 
 /// A distance and its standard deviation, metres.
 ///
@@ -63,7 +64,7 @@ fn of_difference(d: &Vec3, s: &Matrix3<f64>) -> Distance {
         let unit: RowVector3<f64> = d.transpose() / distance;
         (unit * s * unit.transpose())[0]
     } else {
-        SymmetricEigen::new(*s).eigenvalues.max()
+        eigen::of_three(*s).eigenvalues.max()
     };
     Distance { distance, sd: variance.max(0.0).sqrt() }
 }

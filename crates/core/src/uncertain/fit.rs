@@ -4,11 +4,12 @@
 //! direction, by Gauss-Newton from the principal axes. Points without any uncertainty weigh alike, and the variance
 //! comes from their residuals.
 
-use nalgebra::{Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, SymmetricEigen, Vector2, Vector3, Vector4};
+use nalgebra::{Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, Vector2, Vector3, Vector4};
 
 use super::{Line, Plane, Point, Stored};
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
+use crate::num::eigen;
 use crate::{Interrupt, poll_now_and_then};
 
 const ROUNDS: usize = 10;
@@ -52,7 +53,7 @@ impl Start {
             let d = p.position - centre;
             scatter += d * d.transpose() / n;
         }
-        let eigen = SymmetricEigen::new(scatter);
+        let eigen = eigen::of_three(scatter);
         let mut order = [0, 1, 2];
         order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
         Ok(Self {

@@ -7,6 +7,7 @@ use super::point::{check_coordinates, checked_sd};
 use super::stored::{Stored, get_triangle, put_triangle};
 use crate::error::{Error, Result};
 use crate::geometry::Vec3;
+use crate::num::eigen;
 
 /// A plane through `point` with unit `normal` (Förstner & Wrobel 2016, 10.2.2.3).
 ///
@@ -52,7 +53,8 @@ impl Plane {
         let own = Self::projected(point, normal, covariance);
         let tilt: Matrix3<f64> = own.covariance.fixed_view::<3, 3>(0, 0).into_owned();
         let mixed: Vec3 = own.covariance.fixed_view::<3, 1>(0, 3).into_owned();
-        let shift = tilt.pseudo_inverse(1e-12 * tilt.amax()).map_or_else(|_| Vec3::zeros(), |inverse| inverse * mixed);
+        let inverse = eigen::is_tame(&tilt).then(|| tilt.pseudo_inverse(1e-12 * tilt.amax()).ok()).flatten();
+        let shift = inverse.map_or_else(Vec3::zeros, |inverse| inverse * mixed);
         own.referred_to(&shift)
     }
 

@@ -1,11 +1,12 @@
 //! A point with its covariance.
 
-use nalgebra::{Matrix3, SymmetricEigen};
+use nalgebra::Matrix3;
 
 use super::covariance;
 use super::stored::{Stored, get_triangle, put_triangle};
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
+use crate::num::eigen;
 
 /// Largest coordinate of an uncertain object, metres.
 pub(super) const MAX_COORDINATE_M: f64 = 1e9;
@@ -35,7 +36,7 @@ impl Point {
     /// directions.
     pub fn ellipsoid(&self, probability: f64) -> Result<[(f64, Vec3); 3]> {
         let factor = covariance::confidence_factor(probability, 3)?;
-        let eigen = SymmetricEigen::new(self.covariance);
+        let eigen = eigen::of_three(self.covariance);
         let mut order = [0, 1, 2];
         order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
         Ok(order.map(|i| (factor * eigen.eigenvalues[i].max(0.0).sqrt(), eigen.eigenvectors.column(i).into_owned())))

@@ -4,9 +4,10 @@
 //! mantle of a column or pipe is made of facets that look different ways: there d = n·(t₀ + t₁s + t₂s²), with s along
 //! its axis, is a displacement, a tilt and a bow. Furniture, neighbours and edges do not follow.
 
-use nalgebra::{Matrix3, SMatrix, SVector, SymmetricEigen};
+use nalgebra::{Matrix3, SMatrix, SVector};
 
 use crate::geometry::Vec3;
+use crate::num::eigen;
 use crate::num::stats::{median, median_and_spread};
 use crate::{Interrupt, Result, poll, poll_now_and_then};
 
@@ -117,6 +118,9 @@ impl Consensus {
                 right += row * (w * o.deviation);
             }
             // A strip of samples has no slope across: the pseudo-inverse leaves it at zero.
+            if !eigen::is_tame(&normal_matrix) {
+                return Ok(None);
+            }
             let Ok(inverse) = normal_matrix.pseudo_inverse(1e-6 * normal_matrix.norm()) else { return Ok(None) };
             self.course = inverse * right;
         }
@@ -161,7 +165,7 @@ impl Basis {
         let n = observed.len() as f64;
         let origin = observed.iter().map(|o| o.position).sum::<Vec3>() / n;
         let looks: Matrix3<f64> = observed.iter().map(|o| o.normal * o.normal.transpose() / n).sum();
-        let eigen = SymmetricEigen::new(looks);
+        let eigen = eigen::of_three(looks);
         let normal = eigen.eigenvectors.column(eigen.eigenvalues.imax()).into_owned();
         let axis = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into_owned();
         // Facets that turn by more than about 15° from their mean.

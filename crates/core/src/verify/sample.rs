@@ -81,7 +81,7 @@ impl Samples {
         let local = || self.positions.iter().map(|p| Vec3::from(p.map(f64::from)));
         let mean = local().sum::<Vec3>() / n;
         let covariance = local().map(|p| (p - mean) * (p - mean).transpose() / n).sum::<nalgebra::Matrix3<f64>>();
-        let mut variances: [f64; 3] = covariance.symmetric_eigenvalues().into();
+        let mut variances: [f64; 3] = crate::num::eigen::of_three(covariance).eigenvalues.into();
         variances.sort_by(f64::total_cmp);
         // Of the hollow square of side a: a²/6.
         (6.0 * variances[1]).sqrt() < SLIM_M

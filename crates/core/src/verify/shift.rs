@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use nalgebra::{Matrix3, SymmetricEigen};
+use nalgebra::Matrix3;
 
 use super::face::FaceReport;
 use super::model::EvidenceModel;
 use super::surface_points::SurfacePoints;
 use crate::geometry::Vec3;
+use crate::num::eigen;
 
 /// A face needs this many samples with a surface to have a say.
 const MIN_SAMPLES: u64 = 10;
@@ -70,7 +71,7 @@ impl Shift {
         if voting.is_empty() {
             return None;
         }
-        let eigen = SymmetricEigen::new(looks);
+        let eigen = eigen::of_three(looks);
         let (known, undetermined): (Vec<usize>, Vec<usize>) = (0..3).partition(|&k| eigen.eigenvalues[k] >= MIN_SHARE);
         let column = |k: &usize| eigen.eigenvectors.column(*k).into_owned();
         let projector: Matrix3<f64> = known.iter().map(column).map(|v| v * v.transpose()).sum();
@@ -155,7 +156,7 @@ impl Solution {
                 normal_matrix += n * n.transpose() * w;
                 right += n * (v.offset * w);
             }
-            inverse = normal_matrix.pseudo_inverse(1e-9 * normal_matrix.norm()).ok()?;
+            inverse = Some(normal_matrix).filter(eigen::is_tame)?.pseudo_inverse(1e-9 * normal_matrix.norm()).ok()?;
             let next = inverse * right;
             let step = (next - t).norm();
             t = next;
