@@ -10,12 +10,12 @@ WHERE t.typname !~ '^_' ORDER BY t.typname;
 SELECT E'\n## Functions and aggregates\n\n| function | returns | what |\n| --- | --- | --- |';
 SELECT format('| `%s(%s)` | `%s` | %s |', p.proname, pg_get_function_arguments(p.oid), pg_get_function_result(p.oid), obj_description(p.oid, 'pg_proc'))
 FROM member m JOIN pg_proc p ON m.classid = 'pg_proc'::regclass AND m.objid = p.oid
-WHERE p.proname !~ '(_in|_out|_recv|_send|_accum|_combine|_serial|_deserial|_final)$' AND p.proname !~ '^ab_gist_'
+WHERE p.proname !~ '(_in|_out|_recv|_send|_accum|_combine|_serial|_deserial|_final)$' AND p.proname !~ '^(ab_gist|_ab)_'
 ORDER BY p.proname, pg_get_function_arguments(p.oid);
 SELECT E'\n## Operators\n\n| operator | what |\n| --- | --- |';
 SELECT format('| `%s %s %s` | %s |', format_type(o.oprleft, NULL), o.oprname, format_type(o.oprright, NULL), obj_description(o.oid, 'pg_operator'))
 FROM member m JOIN pg_operator o ON m.classid = 'pg_operator'::regclass AND m.objid = o.oid
 ORDER BY o.oprname, format_type(o.oprleft, NULL), format_type(o.oprright, NULL);
 SELECT E'\n## Operator classes\n\n| class | for | what |\n| --- | --- | --- |';
-SELECT format('| `%s` (GiST) | `%s` | %s |', c.opcname, format_type(c.opcintype, NULL), obj_description(c.oid, 'pg_opclass'))
-FROM member m JOIN pg_opclass c ON m.classid = 'pg_opclass'::regclass AND m.objid = c.oid ORDER BY c.opcname;
+SELECT format('| `%s` (%s) | `%s` | %s |', c.opcname, CASE a.amname WHEN 'gist' THEN 'GiST' ELSE a.amname END, format_type(c.opcintype, NULL), obj_description(c.oid, 'pg_opclass'))
+FROM member m JOIN pg_opclass c ON m.classid = 'pg_opclass'::regclass AND m.objid = c.oid JOIN pg_am a ON a.oid = c.opcmethod ORDER BY c.opcname;

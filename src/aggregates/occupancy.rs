@@ -58,10 +58,10 @@ sql_functions! {
 
     fn ab_occupancy_combine(args) {
         let mut left = state(args, 0)?;
-        if !args.is_null(1) {
-            if let Some(taken) = state(args, 1)?.get().0.take() {
-                left.get().merge(taken)?;
-            }
+        if !args.is_null(1)
+            && let Some(taken) = state(args, 1)?.get().0.take()
+        {
+            left.get().merge(taken)?;
         }
         Ok(left.ret())
     }

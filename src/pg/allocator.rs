@@ -27,6 +27,9 @@ const BALLAST_LAYOUT: Layout = Layout::new::<[u8; 64 << 20]>();
 /// From so much on the ballast is held: a session that asks little of asbuilt carries none.
 const BALLAST_FROM: isize = 4 << 20;
 
+/// What is smaller is not counted: a mass or a point costs no more than before, and much of nothing is so small.
+const COUNTED: usize = 64;
+
 /// A thread adds to [`LIVE`] once so much has come together.
 const FLUSH: isize = 64 << 10;
 
@@ -52,14 +55,21 @@ pub fn forget_peak() {
 }
 
 /// The bytes that the system refused since this was last asked; holds a new ballast then, where there is room again.
+#[inline]
 pub fn take_refusal() -> Option<usize> {
     let refused = refusal()?;
-    REFUSED.store(0, Relaxed);
-    hold_ballast();
+    renew();
     Some(refused)
 }
 
+#[cold]
+fn renew() {
+    REFUSED.store(0, Relaxed);
+    hold_ballast();
+}
+
 /// What [`take_refusal`] will tell.
+#[inline]
 pub fn refusal() -> Option<usize> {
     Some(REFUSED.load(Relaxed)).filter(|&bytes| bytes > 0)
 }
@@ -74,17 +84,31 @@ pub fn has_room(bytes: usize) -> bool {
     !p.is_null()
 }
 
+/// What a piece of memory counts.
+fn weight(bytes: usize) -> isize {
+    if bytes < COUNTED { 0 } else { bytes as isize }
+}
+
+#[inline]
 fn count(bytes: isize) {
+    if bytes == 0 {
+        return;
+    }
     // During a thread's last breath its cell is gone; then nobody counts.
     let due = PENDING.try_with(|pending| {
         pending.set(pending.get() + bytes);
         pending.get().abs() >= FLUSH
     });
     if due == Ok(true) {
-        flush();
-        if LIVE.load(Relaxed) > BALLAST_FROM && BALLAST.load(Relaxed).is_null() && refusal().is_none() {
-            hold_ballast();
-        }
+        settle();
+    }
+}
+
+#[cold]
+fn settle() {
+    flush();
+    if LIVE.load(Relaxed) > BALLAST_FROM && BALLAST.load(Relaxed).is_null() && refusal().is_none() {
+        hold_ballast();
     }
 }
 
@@ -115,33 +139,34 @@ fn retried(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
     alloc()
 }
 
-/// What `alloc` gives, at the second attempt if need be, counted as `bytes` more.
-fn counted(bytes: isize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
-    let mut p = alloc();
-    if p.is_null() {
-        p = retried(bytes.unsigned_abs(), alloc);
-    }
-    if !p.is_null() {
-        count(bytes);
-    }
-    p
+/// What `alloc` gives of so many bytes, at the second attempt if need be.
+#[inline]
+fn taken(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
+    let p = alloc();
+    if p.is_null() { retried(bytes, alloc) } else { p }
 }
 
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        counted(layout.size() as isize, || unsafe { System.alloc(layout) })
+        count(weight(layout.size()));
+        taken(layout.size(), || unsafe { System.alloc(layout) })
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        counted(layout.size() as isize, || unsafe { System.alloc_zeroed(layout) })
+        count(weight(layout.size()));
+        taken(layout.size(), || unsafe { System.alloc_zeroed(layout) })
     }
 
     unsafe fn dealloc(&self, p: *mut u8, layout: Layout) {
         unsafe { System.dealloc(p, layout) };
-        count(-(layout.size() as isize));
+        count(-weight(layout.size()));
     }
 
     unsafe fn realloc(&self, p: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        counted(size as isize - layout.size() as isize, || unsafe { System.realloc(p, layout, size) })
+        let fresh = taken(size, || unsafe { System.realloc(p, layout, size) });
+        if !fresh.is_null() {
+            count(weight(size) - weight(layout.size()));
+        }
+        fresh
     }
 }
