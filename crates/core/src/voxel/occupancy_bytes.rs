@@ -168,7 +168,7 @@ mod tests {
         #[test]
         fn nonsense_under_a_right_checksum(tail in prop::collection::vec(any::<u8>(), 0..300), blocks in 1usize..5) {
             let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.0, 5.0).unwrap();
-            let keys = vec![[i32::MIN; 3], [i32::MAX; 3]].repeat(blocks);
+            let keys = [[i32::MIN; 3], [i32::MAX; 3]].repeat(blocks);
             let bytes = FORM.write([0, 0], &grid, &keys, NEVER, |out| {
                 out.extend_from_slice(&tail);
                 Ok(())
