@@ -16,14 +16,14 @@ pub struct AggState<T> {
 #[derive(Debug)]
 struct Kept<T> {
     account: Account,
-    /// `None` once dropped.
-    state: Option<T>,
+    /// `None` once dropped. In a box of its own: that is given back on the account, too.
+    state: Option<Box<T>>,
 }
 
 impl<T> Kept<T> {
     /// A new state, on the account that is open.
     fn new(state: T) -> Self {
-        Self { account: Account::current(), state: Some(state) }
+        Self { account: Account::current(), state: Some(Box::new(state)) }
     }
 }
 
@@ -38,7 +38,7 @@ impl<T> AggState<T> {
     /// The state.
     pub fn get(&mut self) -> &mut T {
         let kept = unsafe { &mut *self.pointer };
-        kept.state.as_mut().expect("a state that PostgreSQL has dropped is not asked for")
+        kept.state.as_deref_mut().expect("a state that PostgreSQL has dropped is not asked for")
     }
 
     /// Hands the state back to the executor.

@@ -22,9 +22,9 @@ pub unsafe fn run(
             let args = Args::new(fcinfo);
             // What an earlier call was refused is its own matter.
             allocator::take_refusal();
-            let opened = account.map(Account::open);
+            // Until the result is handed over: what it took is given back on the same account.
+            let _opened = account.map(Account::open);
             let mut outcome = body(&args);
-            drop(opened);
             if let (Some(bytes), Ok(_)) = (allocator::take_refusal(), &outcome) {
                 outcome = Err(Error::OutOfMemory { bytes });
             }

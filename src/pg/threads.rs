@@ -5,12 +5,14 @@
 
 use std::cell::RefCell;
 use std::sync::Arc;
+use std::sync::mpsc::RecvTimeoutError;
+use std::time::Duration;
 
 use asbuilt_core::verify::Threads;
 use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 
-use super::interrupt::serve;
+use super::interrupt::{client_is_here, look_for_client, serve};
 use super::memory::{Backend, Helper};
 
 thread_local! {
@@ -42,13 +44,29 @@ impl Crew {
     /// Runs `work` on the crew. It is given what to ask whether to stop; a cancel then raises its error from here.
     pub fn run<T: Send>(&self, work: impl FnOnce(asbuilt_core::Interrupt) -> Result<T> + Send) -> Result<T> {
         let Some(pool) = &self.pool else { return work(&Backend) };
-        let outcome = pool.install(|| work(&Helper));
+        client_is_here();
+        let (tell, told) = std::sync::mpsc::channel();
+        let outcome = pool.in_place_scope(|scope| {
+            scope.spawn(move |_| tell.send(work(&Helper)).unwrap_or_default());
+            loop {
+                match told.recv_timeout(LOOK) {
+                    Ok(outcome) => break Some(outcome),
+                    Err(RecvTimeoutError::Timeout) => look_for_client(),
+                    // The work panicked, and the scope will go on with that.
+                    Err(RecvTimeoutError::Disconnected) => break None,
+                }
+            }
+        });
+        let outcome = outcome.unwrap_or(Err(Error::Interrupted));
         if matches!(outcome, Err(Error::Interrupted)) {
             serve();
         }
         outcome
     }
 }
+
+/// While others work, the main thread looks this often whether the client is still there, where PostgreSQL wants to know.
+const LOOK: Duration = Duration::from_millis(100);
 
 /// The backend's pool with this many threads. Where the system has none to give, the work is done without.
 fn pool_of(count: usize) -> Option<Arc<rayon::ThreadPool>> {

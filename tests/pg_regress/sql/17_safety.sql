@@ -46,15 +46,20 @@ SELECT ab_area(ab_solid_from_ewkb(polygon_z(string_agg(format('%s %s 0', (1 + 0.
 
 -- Limits of memory: an error, and what was taken is given back.
 SET asbuilt.max_grid_memory = '64MB';
+SET enable_sort = off; SET work_mem = '1GB';
 SELECT outcome('SELECT ab_voxelize(ab_solid(ab_box(0, 0, 0, 20, 20, 20)), 0.005)') AS voxelize,
        outcome('SELECT ab_occupancy_agg(ab_transform(scan, ab_pose(ARRAY[i, 0, 0]::float8[], ARRAY[1, 0, 0, 0]::float8[])), ab_grid(0.0005)) FROM sample, generate_series(1, 2000) i') AS occupancy,
-       outcome('SELECT count(ab_occupancy_agg) FROM (SELECT ab_occupancy_agg(ab_transform(scan, ab_pose(ARRAY[i, 0, 0]::float8[], ARRAY[1, 0, 0, 0]::float8[])), ab_grid(0.02)) FROM sample, generate_series(1, 30000) i GROUP BY i) g') AS many_groups;
+       outcome('SELECT count(ab_occupancy_agg) FROM (SELECT ab_occupancy_agg(ab_transform(scan, ab_pose(ARRAY[i, 0, 0]::float8[], ARRAY[1, 0, 0, 0]::float8[])), ab_grid(0.002)) FROM sample, generate_series(1, 3000) i GROUP BY i) g') AS many_groups;
 SELECT live < 20e6 AS given_back, peak < 1.1 * 64 * 1048576 + 1e6 AS kept_within FROM ab_memory();
+RESET enable_sort; RESET work_mem;
 SET asbuilt.max_evidence_memory = '64MB';
 SELECT peak IS NOT NULL AS anew FROM ab_memory(from_now => true);
 SELECT outcome('SELECT ab_evidence_agg(ab_solid(ab_box(2, -20, -20, 2.1, 20, 20)), scan, ab_evidence_model(spacing => 0.002)) FROM sample') AS evidence,
        outcome('SELECT * FROM ab_verify_table(''SELECT 1, ab_solid(ab_box(2, -20, -20, 2.1, 20, 20))'', ''SELECT scan FROM sample'', ab_evidence_model(spacing => 0.002))') AS verify_table;
 SELECT live < 20e6 AS given_back, peak < 1.1 * 64 * 1048576 + 1e6 AS kept_within FROM ab_memory();
+-- What a call gave back is not held against the next ones.
+SET asbuilt.max_grid_memory = '1MB';
+DO $$ BEGIN FOR i IN 1..30000 LOOP PERFORM ab_clip(occupancy, ab_box(-9, -9, -9, 9, 9, 9)) FROM sample; END LOOP; END $$;
 RESET asbuilt.max_grid_memory;
 RESET asbuilt.max_evidence_memory;
 SET asbuilt.memory_ceiling = '32MB';
