@@ -46,7 +46,7 @@ SELECT ab_area(ab_solid_from_ewkb(polygon_z(string_agg(format('%s %s 0', (1 + 0.
 
 -- Limits of memory: an error, and what was taken is given back.
 SET asbuilt.max_grid_memory = '64MB';
-SET enable_sort = off; SET work_mem = '1GB';
+SET enable_sort = off; SET work_mem = '500GB';
 SELECT outcome('SELECT ab_voxelize(ab_solid(ab_box(0, 0, 0, 20, 20, 20)), 0.005)') AS voxelize,
        outcome('SELECT ab_occupancy_agg(ab_transform(scan, ab_pose(ARRAY[i, 0, 0]::float8[], ARRAY[1, 0, 0, 0]::float8[])), ab_grid(0.0005)) FROM sample, generate_series(1, 2000) i') AS occupancy,
        outcome('SELECT count(ab_occupancy_agg) FROM (SELECT ab_occupancy_agg(ab_transform(scan, ab_pose(ARRAY[i, 0, 0]::float8[], ARRAY[1, 0, 0, 0]::float8[])), ab_grid(0.002)) FROM sample, generate_series(1, 3000) i GROUP BY i) g') AS many_groups;
