@@ -41,7 +41,10 @@ fn forty_thousand_stations_on_forty_thousand_blocks() {
     assert!(bytes.len() < 3_000_000);
     let e = Evidence::from_bytes(&bytes, NEVER).unwrap();
     assert_eq!(e.stations().len(), N as usize);
-    assert_eq!(e.to_bytes(NEVER).unwrap(), bytes);
+    // Written in today's layout it is the same value, and the same body behind the two sections' heads.
+    let today = e.to_bytes(NEVER).unwrap();
+    assert!(today.ends_with(&bytes[Evidence::HEADER_LEN - 12..]) && today.len() == bytes.len() + 24);
+    assert!(Evidence::from_bytes(&today, NEVER).unwrap() == e);
 }
 
 /// 2²⁶ blocks of 64 samples are 2³², which is no sample at all in 32 bits.

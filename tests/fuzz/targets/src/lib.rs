@@ -14,6 +14,8 @@ mod texts;
 mod value;
 mod voxels;
 
+pub use checksum::mended;
+
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A target by name.
