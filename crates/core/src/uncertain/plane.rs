@@ -53,8 +53,12 @@ impl Plane {
         let own = Self::projected(point, normal, covariance);
         let tilt: Matrix3<f64> = own.covariance.fixed_view::<3, 3>(0, 0).into_owned();
         let mixed: Vec3 = own.covariance.fixed_view::<3, 1>(0, 3).into_owned();
-        let inverse = eigen::is_tame(&tilt).then(|| tilt.pseudo_inverse(1e-12 * tilt.amax()).ok()).flatten();
-        let shift = inverse.map_or_else(Vec3::zeros, |inverse| inverse * mixed);
+        let shift = if eigen::is_tame(&tilt) {
+            tilt.pseudo_inverse(1e-12 * tilt.amax()).map_or_else(|_| Vec3::zeros(), |inverse| inverse * mixed)
+        } else {
+            // Beyond what can be computed with: the value will be refused.
+            Vec3::repeat(f64::NAN)
+        };
         own.referred_to(&shift)
     }
 
