@@ -123,7 +123,7 @@ pub struct Backend;
 pub struct Helper;
 
 /// An error where too much was taken, or the system had nothing to give.
-pub(super) fn poll_memory() -> Result<()> {
+fn poll_memory() -> Result<()> {
     allocator::refusal().map_or_else(|| check(0), |bytes| Err(Error::OutOfMemory { bytes }))
 }
 

@@ -1,7 +1,6 @@
 //! A budget of memory for the processes that read files: beyond it an allocation fails there, and not the machine here.
 
 use anyhow::Result;
-use asbuilt_core::Budget;
 
 /// The least that a reader can work with, bytes.
 const LEAST: u64 = 64 << 20;
@@ -56,19 +55,6 @@ pub fn limit(bytes: u64) -> Result<()> {
 #[cfg(not(unix))]
 pub fn limit(_: u64) -> Result<()> {
     Ok(())
-}
-
-/// A budget of work that may take no more than so many bytes at once.
-pub struct AtOnce(pub usize);
-
-impl Budget for AtOnce {
-    fn poll(&self) -> asbuilt_core::Result<()> {
-        Ok(())
-    }
-
-    fn room(&self, bytes: usize) -> asbuilt_core::Result<()> {
-        if bytes > self.0 { Err(asbuilt_core::Error::OutOfMemory { bytes }) } else { Ok(()) }
-    }
 }
 
 #[cfg(test)]

@@ -69,12 +69,11 @@ impl<T> Grow for Vec<T> {
         }
         let wanted = len.saturating_add(additional);
         // Doubled where there is room for it, else by an eighth: a limit is to be reached, not halved.
-        let doubled = capacity.saturating_mul(2).max(wanted);
-        let target = match room::<T>(doubled - capacity, interrupt) {
-            Ok(()) => doubled,
-            Err(_) => (capacity + capacity / 8).max(wanted),
-        };
-        room::<T>(target - capacity, interrupt)?;
+        let mut target = capacity.saturating_mul(2).max(wanted);
+        if room::<T>(target - capacity, interrupt).is_err() {
+            target = (capacity + capacity / 8).max(wanted);
+            room::<T>(target - capacity, interrupt)?;
+        }
         self.try_reserve_exact(target - len).map_err(|_| refused(target.saturating_mul(size_of::<T>())))
     }
 }
@@ -95,12 +94,11 @@ impl<K: Eq + Hash, V, S: BuildHasher> Grow for HashMap<K, V, S> {
     }
 }
 
-/// A budget for tests: refuses whatever is larger at once.
-#[cfg(test)]
-pub(crate) struct AtMost(pub usize);
+/// A budget of work that may take no more than so many bytes at once, and may take its time.
+#[derive(Debug, Clone, Copy)]
+pub struct AtOnce(pub usize);
 
-#[cfg(test)]
-impl Budget for AtMost {
+impl Budget for AtOnce {
     fn poll(&self) -> Result<()> {
         Ok(())
     }
@@ -116,7 +114,7 @@ mod tests {
 
     #[test]
     fn a_list_reaches_its_limit_and_no_further() {
-        let most = AtMost(1 << 20);
+        let most = AtOnce(1 << 20);
         let mut list = Vec::new();
         let refused = (0u64..).find(|&i| list.grow(1, &most).map(|()| list.push(i)).is_err()).unwrap();
         // The last step that it may take is one of 1 MiB: it holds more than that, and not much.
@@ -126,7 +124,7 @@ mod tests {
 
     #[test]
     fn a_map_asks_before_it_doubles() {
-        let most = AtMost(1 << 20);
+        let most = AtOnce(1 << 20);
         let mut map: HashMap<u64, u64> = HashMap::new();
         let refused = (0u64..).find(|&i| map.grow(1, &most).map(|()| map.insert(i, i)).is_err()).unwrap();
         assert!((10_000..100_000).contains(&refused) && map.len() as u64 == refused);

@@ -26,7 +26,7 @@ pub mod uncertain;
 pub mod verify;
 pub mod voxel;
 
-pub use budget::{Budget, Grow, Interrupt, NEVER};
+pub use budget::{AtOnce, Budget, Grow, Interrupt, NEVER};
 pub use error::{Error, Result};
 
 pub(crate) use budget::{poll, poll_now_and_then, room};

@@ -3,7 +3,7 @@
 use asbuilt_core::geometry::{Aabb, Vec3};
 use asbuilt_core::scan::{Beam, Content, Origins, Patch, Setting};
 use asbuilt_core::voxel::{Grid, Occupancy, State};
-use asbuilt_core::{Budget, Error, NEVER};
+use asbuilt_core::{AtOnce, Error, NEVER};
 use proptest::prelude::*;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -152,24 +152,11 @@ fn order_and_parts_do_not_matter() {
     assert!(merged.merge(&Occupancy::new(other), NEVER).is_err());
 }
 
-/// Refuses any large piece.
-struct Tight;
-
-impl Budget for Tight {
-    fn poll(&self) -> Result<(), Error> {
-        Ok(())
-    }
-
-    fn room(&self, bytes: usize) -> Result<(), Error> {
-        if bytes > 1 << 20 { Err(Error::OutOfMemory { bytes }) } else { Ok(()) }
-    }
-}
-
 #[test]
 fn runaway_grids_stop() {
     let patches = scene(5, Vec3::zeros(), 6);
     let mut o = Occupancy::new(Grid::new(0.002, Grid::EVERYWHERE, 0.0, 30.0).unwrap());
-    let stopped = patches.iter().find_map(|p| o.absorb(p, &Tight).err()).unwrap();
+    let stopped = patches.iter().find_map(|p| o.absorb(p, &AtOnce(1 << 20)).err()).unwrap();
     assert!(matches!(stopped, Error::OutOfMemory { .. }), "{stopped}");
     assert!(o.sorted(NEVER).unwrap().len() < 1 << 14);
 }

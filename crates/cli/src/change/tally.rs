@@ -1,9 +1,9 @@
 //! Voxels of objects, components and the whole, counted from the changes of the tiles.
 
 use anyhow::Result;
-use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Aabb, Solid};
 use asbuilt_core::voxel::{Change, Class, Component, Grid, Mask, Rule};
+use asbuilt_core::{AtOnce, NEVER};
 use postgres::{Row, Transaction};
 use rayon::prelude::*;
 
@@ -65,7 +65,7 @@ impl Report {
     /// Components want the whole at once; where that takes too much memory, the objects are known all the same.
     fn find_components(&mut self, whole: &Change, parts: &Parts) -> Result<()> {
         let gap = parts.gap.unwrap_or(4.0 * whole.grid().voxel);
-        let most = memory::AtOnce(usize::try_from(memory::budget() / 4).unwrap_or(usize::MAX));
+        let most = AtOnce(usize::try_from(memory::budget() / 4).unwrap_or(usize::MAX));
         let mut found = Vec::new();
         for class in [Class::New, Class::Disappeared] {
             match whole.components(class, parts.least, gap, &most) {

@@ -5,8 +5,8 @@ use super::weld::weld;
 use super::{Aabb, Closedness, Vec3};
 use crate::error::{Error, Result};
 use crate::num::bytes::{Put, Reader};
-use crate::num::sections::{self, BODY, HEADER, begin, header_end, put_section};
-use crate::{Grow, Interrupt, NEVER, poll, poll_now_and_then};
+use crate::num::sections::{self, BODY, HEADER, begin, checksum, header_end, put_section};
+use crate::{Grow, Interrupt, NEVER, poll_now_and_then};
 
 const TY: &str = "ab_solid";
 
@@ -135,7 +135,7 @@ impl Solid {
         let mut payload = Vec::new();
         payload.grow(self.payload_len(), interrupt)?;
         self.put_payload(&mut payload, interrupt)?;
-        checksum(&payload, interrupt)
+        checksum(&[&payload], interrupt)
     }
 
     fn payload_len(&self) -> usize {
@@ -243,7 +243,7 @@ impl Solid {
         let (_, expected) = (r.take(12)?, r.u32()?);
         r.take(Self::FLAT_HEADER_LEN - 16)?;
         let payload = r.take(r.remaining())?;
-        if checksum(payload, interrupt)? == expected {
+        if checksum(&[payload], interrupt)? == expected {
             Ok(payload)
         } else {
             Err(Error::corrupted(TY, "the checksum does not match"))
@@ -266,16 +266,6 @@ pub struct SolidHeader {
     pub vertices: usize,
     /// Number of triangles.
     pub triangles: usize,
-}
-
-/// CRC-32, a megabyte at a time.
-fn checksum(bytes: &[u8], interrupt: Interrupt) -> Result<u32> {
-    let mut hasher = crc32fast::Hasher::new();
-    for piece in bytes.chunks(1 << 20) {
-        poll(interrupt)?;
-        hasher.update(piece);
-    }
-    Ok(hasher.finalize())
 }
 
 fn check(vertices: &[Vec3], triangles: &[[u32; 3]], interrupt: Interrupt) -> Result<()> {

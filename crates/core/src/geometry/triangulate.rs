@@ -100,8 +100,8 @@ fn inside(
     interrupt: Interrupt,
 ) -> Result<Vec<[usize; 3]>> {
     let outer = plane.outer_face().fix();
-    let mut is_inside: Vec<Option<bool>> = vec![None; plane.num_all_faces()];
-    is_inside[outer.index()] = Some(false);
+    let mut visited = vec![false; plane.num_all_faces()];
+    visited[outer.index()] = true;
     let (mut open, mut out) = (Vec::new(), Vec::new());
     for edge in plane.convex_hull() {
         open.push((edge.rev().face().fix(), parting[edge.as_undirected().fix().index()]));
@@ -109,10 +109,9 @@ fn inside(
     }
     while let Some((face, side)) = open.pop() {
         poll(interrupt)?;
-        if is_inside[face.index()].is_some() {
+        if std::mem::replace(&mut visited[face.index()], true) {
             continue;
         }
-        is_inside[face.index()] = Some(side);
         let Some(triangle) = plane.face(face).as_inner() else { continue };
         if side {
             out.push(triangle.vertices().map(|v| corner_of[&v.fix()]));

@@ -50,7 +50,7 @@ pub fn put_section(
         return Err(Error::Limit { what: "the stored form of a value", value, limit: "1 GB".into() });
     }
     out[start + 4..start + 8].copy_from_slice(&(len as u32).to_le_bytes());
-    let checksum = checksum(preamble_of(out, start), &out[start..start + 8], &out[start + HEAD..], interrupt)?;
+    let checksum = checksum(&[preamble_of(out, start), &out[start..start + 8], &out[start + HEAD..]], interrupt)?;
     out[start + 8..start + HEAD].copy_from_slice(&checksum.to_le_bytes());
     Ok(())
 }
@@ -60,14 +60,15 @@ fn preamble_of(bytes: &[u8], start: usize) -> &[u8] {
     if start == PREAMBLE { &bytes[..PREAMBLE] } else { &[] }
 }
 
-/// CRC-32, a megabyte at a time.
-fn checksum(preamble: &[u8], head: &[u8], content: &[u8], interrupt: Interrupt) -> Result<u32> {
+/// CRC-32 of some pieces, one after the other; asks after every megabyte.
+pub fn checksum(pieces: &[&[u8]], interrupt: Interrupt) -> Result<u32> {
+    const MEGABYTE: usize = 1 << 20;
     let mut hasher = crc32fast::Hasher::new();
-    hasher.update(preamble);
-    hasher.update(head);
-    for piece in content.chunks(1 << 20) {
-        poll(interrupt)?;
-        hasher.update(piece);
+    for part in pieces.iter().flat_map(|piece| piece.chunks(MEGABYTE)) {
+        hasher.update(part);
+        if part.len() == MEGABYTE {
+            poll(interrupt)?;
+        }
     }
     Ok(hasher.finalize())
 }
@@ -110,7 +111,7 @@ fn next<'a>(bytes: &'a [u8], at: usize, ty: &'static str, interrupt: Interrupt) 
     let mut r = Reader::new(bytes.get(at..).unwrap_or_default(), ty);
     let [tag, len, expected] = [r.u32()?, r.u32()?, r.u32()?];
     let content = r.take(len as usize)?;
-    if checksum(preamble_of(bytes, at), &bytes[at..at + 8], content, interrupt)? != expected {
+    if checksum(&[preamble_of(bytes, at), &bytes[at..at + 8], content], interrupt)? != expected {
         return Err(Error::corrupted(ty, "the checksum does not match"));
     }
     Ok((tag, content, at + HEAD + content.len()))

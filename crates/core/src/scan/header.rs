@@ -147,40 +147,21 @@ impl Header {
             return Err(r.bad(format!("flags {flags:#04x}")));
         }
         if version < 3 {
-            Self::read_flat(flags, r)
+            r.u8()?;
+            Self::read_fields(flags, r, true)
         } else {
-            Self::read_content(flags, sections::header(bytes, TY, NEVER)?)
+            Self::read_fields(flags, sections::header(bytes, TY, NEVER)?, false)
         }
     }
 
-    /// From the content of its section on.
-    fn read_content(flags: u8, mut r: Reader) -> Result<Self> {
+    /// What follows the flags; `is_flat`: with length and checksum of the payload and a pad, as versions 1 and 2 have them.
+    fn read_fields(flags: u8, mut r: Reader, is_flat: bool) -> Result<Self> {
         let [beams, returns] = [r.u32()?, r.u32()?];
+        r.take(if is_flat { 8 } else { 0 })?;
         let half_angle = f64::from(r.f32()?);
         let step = r.f32()?;
         let range = [r.f32()?, r.f32()?];
-        Self::read_places(flags, [beams, returns], half_angle, step, range, r)
-    }
-
-    /// Versions 1 and 2, from behind the flags on.
-    fn read_flat(flags: u8, mut r: Reader) -> Result<Self> {
-        r.u8()?;
-        let [beams, returns, _, _] = [r.u32()?, r.u32()?, r.u32()?, r.u32()?];
-        let half_angle = f64::from(r.f32()?);
-        let step = r.f32()?;
-        let range = [r.f32()?, r.f32()?];
-        r.u32()?;
-        Self::read_places(flags, [beams, returns], half_angle, step, range, r)
-    }
-
-    fn read_places(
-        flags: u8,
-        [beams, returns]: [u32; 2],
-        half_angle: f64,
-        step: f32,
-        range: [f32; 2],
-        mut r: Reader,
-    ) -> Result<Self> {
+        r.take(if is_flat { 4 } else { 0 })?;
         let station = r.i64()?;
         let origin = r.vec3()?;
         let quantum = r.f64()?;

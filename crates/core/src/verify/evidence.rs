@@ -160,12 +160,6 @@ impl Evidence {
         Self { samples: self.samples.clone(), stations: Vec::new(), ..*self }
     }
 
-    /// Bytes that samples and sums take.
-    pub(super) fn memory(&self) -> usize {
-        let blocks = self.stations.iter().map(|s| s.blocks.len()).sum::<usize>();
-        12 * self.samples.len() + blocks * BLOCK * size_of::<Sums>()
-    }
-
     /// Fails where stations and samples together are more than a value may hold.
     pub(super) fn check_size(&self) -> Result<()> {
         let blocks = self.stations.iter().map(|s| s.blocks.len()).sum::<usize>();

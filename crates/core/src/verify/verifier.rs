@@ -87,11 +87,6 @@ impl Verifier {
         })
     }
 
-    /// Bytes that samples and sums take.
-    pub fn memory(&self) -> usize {
-        self.collectors.iter().map(|c| c.evidence().memory()).sum()
-    }
-
     /// The evidence about each solid, in their order.
     pub fn into_evidence(self) -> Vec<Evidence> {
         self.collectors.into_iter().map(Collector::into_evidence).collect()

@@ -7,7 +7,7 @@ use super::occupancy::Occupancy;
 use crate::error::{Error, Result};
 use crate::geometry::Aabb;
 use crate::num::bytes::{Put, Reader};
-use crate::num::sections::{self, BODY, HEADER, begin, header_end, put_section};
+use crate::num::sections::{self, BODY, HEADER, begin, checksum, header_end, put_section};
 use crate::{Interrupt, NEVER, poll_now_and_then};
 
 /// A stored tile, by the type's name, its letter and the newest layout version.
@@ -113,7 +113,8 @@ impl Form {
     pub fn read<'a>(&self, bytes: &'a [u8], interrupt: Interrupt) -> Result<(Reader<'a>, TileHeader)> {
         let header = self.header(bytes)?;
         let body = match header.version {
-            1 if flat_checksum(bytes) != bytes[4..8] => {
+            // Over everything but itself.
+            1 if checksum(&[&bytes[..4], &bytes[8..]], interrupt)?.to_le_bytes() != bytes[4..8] => {
                 return Err(Error::corrupted(self.ty, "the checksum does not match"));
             }
             1 => &bytes[8 + TileHeader::CONTENT..],
@@ -121,14 +122,6 @@ impl Form {
         };
         Ok((Reader::new(body, self.ty), header))
     }
-}
-
-/// Of version 1: over everything but itself.
-fn flat_checksum(bytes: &[u8]) -> [u8; 4] {
-    let mut hasher = crc32fast::Hasher::new();
-    hasher.update(&bytes[..4]);
-    hasher.update(&bytes[8..]);
-    hasher.finalize().to_le_bytes()
 }
 
 /// Most bytes that [`write_key`] and a block of either type write.

@@ -77,9 +77,8 @@ fn read_classes(r: &mut Reader, flags: u8) -> Result<Classes> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::NEVER;
-    use crate::budget::AtMost;
     use crate::voxel::{Class, Grid};
+    use crate::{AtOnce, NEVER};
     use proptest::prelude::*;
 
     fn any_change() -> impl Strategy<Value = Change> {
@@ -141,6 +140,6 @@ mod tests {
             c.blocks.entry([0, 0, i]).or_default().set(3, Class::New);
         });
         let bytes = c.to_bytes(NEVER).unwrap();
-        assert!(Change::from_bytes(&bytes, &AtMost(100_000)).is_err());
+        assert!(Change::from_bytes(&bytes, &AtOnce(100_000)).is_err());
     }
 }

@@ -116,10 +116,9 @@ fn read_block(r: &mut Reader, flags: u8) -> Result<Block> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::NEVER;
-    use crate::budget::AtMost;
     use crate::voxel::Grid;
     use crate::voxel::blocks::block_of;
+    use crate::{AtOnce, NEVER};
     use proptest::prelude::*;
 
     fn any_occupancy() -> impl Strategy<Value = Occupancy> {
@@ -186,6 +185,6 @@ mod tests {
         }
         let bytes = o.to_bytes(NEVER).unwrap();
         assert!(bytes.len() < 5000 + 200, "a full block takes a byte: {}", bytes.len());
-        assert!(Occupancy::from_bytes(&bytes, &AtMost(100_000)).is_err());
+        assert!(Occupancy::from_bytes(&bytes, &AtOnce(100_000)).is_err());
     }
 }
