@@ -41,6 +41,9 @@ impl Fit {
     fn of(cells: &[Cell]) -> Option<Self> {
         let size = |f: fn(&Cell) -> u32| cells.iter().map(f).max().map(|m| m as usize + 1);
         let (rows, columns) = (size(|c| c.row)?, size(|c| c.column)?);
+        if rows < 2 || columns < 2 {
+            return None; // a list
+        }
         if rows.saturating_mul(columns) > cells.len().saturating_mul(4).max(64) {
             return None; // not a filled grid
         }

@@ -1,15 +1,23 @@
 //! File formats: [`e57`], [`las`], [`ply`], [`ptx`], [`pcd`], [`xyz`] give scans, [`ifc`] gives a model; all of them
-//! are read by a [`child`] process.
+//! are read by a [`child`] process. A file is what its [`content`] says; whether a scanner stood where it says is
+//! [`origin`]'s doubt, what its numbers count in [`unit`]'s.
 
 pub mod child;
+mod content;
 mod e57;
+#[cfg(test)]
+mod field_tests;
 mod grid;
 pub mod ifc;
 mod las;
+mod origin;
+mod overlay;
 mod pcd;
+mod planes;
 mod ply;
 mod ptx;
 mod text;
+mod unit;
 mod xyz;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,6 +27,13 @@ use anyhow::{Context, Result, anyhow, bail};
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::{Beam, Content};
 use indicatif::ProgressBar;
+
+pub use content::{Kind, kind};
+pub use origin::IdentityPose;
+pub use text::Columns;
+pub use unit::Unit;
+
+use content::Form;
 
 /// What a scan file holds, position by position.
 #[derive(Debug)]
@@ -35,6 +50,10 @@ pub struct RawScan {
     pub content: Content,
     /// Points that are no points: not finite, or impossibly far.
     pub unusable: u64,
+    /// Points in no order, in a format that gives scans rows and columns.
+    pub is_list: bool,
+    /// What the user is to know about it.
+    pub notes: Vec<String>,
 }
 
 impl RawScan {
@@ -61,71 +80,32 @@ pub struct ReadOptions {
     pub intensity: bool,
     /// Keep colours.
     pub colour: bool,
+    /// What the columns of a text hold.
+    pub columns: Option<Columns>,
+    /// A comma within a number is its decimal mark.
+    pub decimal_comma: bool,
+    /// What the numbers of files count in that do not tell it.
+    pub file_unit: Option<Unit>,
+    /// Keep points that are classified as noise.
+    pub keep_noise: bool,
+    /// What to make of a scanner at zero.
+    pub identity_pose: IdentityPose,
 }
 
 /// Takes scans as they are read.
 pub type Sink<'a> = &'a mut dyn FnMut(RawScan) -> Result<()>;
 
-/// What a file is, by its name.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// A building model.
-    Model,
-    /// Laser scans or points.
-    Scan,
-}
-
-const SCAN_ENDINGS: [&str; 8] = ["e57", "las", "laz", "ply", "ptx", "pcd", "xyz", "pts"];
-
-/// Tells models from scans.
-pub fn kind(path: &Path) -> Result<Kind> {
-    let e = ending(path);
-    match e.as_str() {
-        "ifc" => Ok(Kind::Model),
-        _ if SCAN_ENDINGS.contains(&e.as_str()) => Ok(Kind::Scan),
-        _ => bail!("{}: unknown kind of file \".{e}\"; known are ifc, {}", path.display(), SCAN_ENDINGS.join(", ")),
-    }
-}
-
-fn ending(path: &Path) -> String {
-    path.extension().unwrap_or_default().to_string_lossy().to_lowercase()
-}
-
-/// No scanner ranges farther, metres: points beyond it carry a position that is not theirs.
-const MAX_RANGE_M: f64 = 50_000.0;
-
-/// A scan most of whose points lie impossibly far from the position in the file (merged clouds in world
-/// coordinates, saved with the scanner at zero) becomes points without origin; a few such points are dropped.
-fn doubt_origin(mut scan: RawScan, given: Option<Vec3>) -> RawScan {
-    let is_far = |b: &Beam| b.returned && b.offset.norm() > MAX_RANGE_M;
-    let far = scan.content.beams.iter().filter(|b| is_far(b)).count();
-    if far == 0 || scan.world_from_scan.is_none() {
-        return scan;
-    }
-    if given.is_none() && 2 * far > scan.content.len() {
-        let shift =
-            scan.content.beams.iter().find(|b| is_far(b)).map_or_else(Vec3::zeros, |b| b.offset.map(|c| c.round()));
-        scan.anchor += shift;
-        scan.retain(|b| b.returned);
-        scan.content.beams.iter_mut().for_each(|b| b.offset -= shift);
-        scan.world_from_scan = None;
-    } else {
-        scan.retain(|b| !is_far(b));
-        scan.unusable += far as u64;
-    }
-    scan
-}
-
 /// Reads every scan of a file. A library that panics on a damaged file becomes an error.
 pub fn read_scans(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
-    let sink: Sink = &mut |scan| sink(doubt_origin(scan, options.origin));
-    let read = || match ending(path).as_str() {
-        "e57" => e57::read(path, options, bar, sink),
-        "las" | "laz" => las::read(path, options, bar, sink),
-        "ply" => ply::read(path, options, bar, sink),
-        "ptx" => ptx::read(path, bar, sink),
-        "pcd" => pcd::read(path, options, bar, sink),
-        _ => xyz::read(path, options, bar, sink),
+    let sink: Sink = &mut |scan| sink(origin::judged(scan, options));
+    let read = || match content::form(path)? {
+        Form::E57 => e57::read(path, options, bar, sink),
+        Form::Las => las::read(path, options, bar, sink),
+        Form::Ply => ply::read(path, options, bar, sink),
+        Form::Ptx => ptx::read(path, options, bar, sink),
+        Form::Pcd => pcd::read(path, options, bar, sink),
+        Form::Text => xyz::read(path, options, bar, sink),
+        Form::Ifc => bail!("it is a building model, not a scan"),
     };
     silence_panics(read)
         .unwrap_or_else(|_| Err(anyhow!("the file is damaged: its reader gave up in the middle")))
@@ -141,24 +121,43 @@ pub fn silence_panics<T>(work: impl FnOnce() -> T) -> std::thread::Result<T> {
     result
 }
 
-/// Points in world coordinates as a scan from `options.origin`, or as points without origin.
-fn scan_of_points(path: &Path, points: Vec<Vec3>, origin: Option<Vec3>) -> Result<RawScan> {
+/// Points in world coordinates, in the file's unit, as a scan from `options.origin`, or as points without origin.
+fn scan_of_points(path: &Path, points: Vec<Vec3>, options: &ReadOptions) -> Result<RawScan> {
     let beam = |offset| Beam { offset, returned: true };
-    scan_of_content(path, Content::of(points.into_iter().map(beam).collect()), origin)
+    scan_of_content(path, Content::of(points.into_iter().map(beam).collect()), options)
 }
 
 /// The same with planes; offsets are world coordinates yet.
-fn scan_of_content(path: &Path, content: Content, origin: Option<Vec3>) -> Result<RawScan> {
+fn scan_of_content(path: &Path, content: Content, options: &ReadOptions) -> Result<RawScan> {
+    let origin = options.origin;
     let world_from_scan = origin.map(|_| NO_ROTATION);
-    let mut scan =
-        RawScan { name: stem(path), sensor: None, world_from_scan, anchor: Vec3::zeros(), content, unusable: 0 };
+    let (name, anchor) = (stem(path), Vec3::zeros());
+    let (unusable, is_list, notes) = (0, false, Vec::new());
+    let mut scan = RawScan { name, sensor: None, world_from_scan, anchor, content, unusable, is_list, notes };
+    unit::apply(options.file_unit, &mut scan);
     let all = scan.content.len();
     scan.retain(|b| b.offset.iter().all(|c| c.is_finite()));
     scan.unusable = (all - scan.content.len()) as u64;
-    let first = scan.content.beams.first().ok_or_else(|| anyhow!("it holds no points"))?.offset;
+    drop_zeros(&mut scan);
+    let Some(first) = scan.content.beams.first().map(|b| b.offset) else {
+        bail!(
+            "it holds no points{}",
+            if all > 0 { format!(": its {all} are zero or not finite") } else { String::new() }
+        );
+    };
     scan.anchor = origin.unwrap_or_else(|| first.map(|c| c.round()));
     scan.content.beams.iter_mut().for_each(|b| b.offset -= scan.anchor);
     Ok(scan)
+}
+
+/// Points at zero to the bit are beams that did not return; their direction is lost.
+fn drop_zeros(scan: &mut RawScan) {
+    let all = scan.content.len();
+    scan.retain(|b| b.offset != Vec3::zeros());
+    let zeros = all - scan.content.len();
+    if zeros > 0 {
+        scan.notes.push(format!("{zeros} points at 0 0 0 are beams without return, and were dropped"));
+    }
 }
 
 fn stem(path: &Path) -> String {

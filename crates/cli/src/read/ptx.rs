@@ -10,26 +10,29 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
 use super::grid::{Cell, missing_directions};
 use super::text::{Lines, numbers};
-use super::{NO_ROTATION, RawScan, Sink, stem};
+use super::{NO_ROTATION, RawScan, ReadOptions, Sink, stem, unit};
 
 /// Reads every scan of the file.
-pub fn read(path: &Path, bar: &ProgressBar, sink: Sink) -> Result<()> {
+pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
     let mut lines = Lines::open(path, bar)?;
     let mut number = 0;
     while let Some(columns) = next_count(&mut lines)? {
         let rows = lines.numbers::<1>("the number of rows")?[0];
-        if !((1.0..=1e6).contains(&rows) && columns * rows <= 4e9) {
+        if !((1.0..=4e9).contains(&rows) && columns * rows <= 4e9) {
             bail!("line {}: {columns}×{rows} is no scan grid", lines.number());
         }
         number += 1;
         let (rotation, anchor) = pose(&mut lines)?;
-        let cells = cells(&mut lines, columns as u32, rows as u32)?;
+        let (cells, notes) = cells(&mut lines, columns as u32, rows as u32)?;
         let mut beams: Vec<Beam> =
             cells.iter().filter_map(|c| c.point).map(|p| Beam { offset: rotation * p, returned: true }).collect();
         beams.extend(missing_directions(&cells).iter().map(|d| Beam { offset: rotation * d, returned: false }));
+        let is_list = columns == 1.0 || rows == 1.0;
         let name = if number == 1 { stem(path) } else { format!("{} #{number}", stem(path)) };
         let (world_from_scan, content) = (Some(quaternion(&rotation)), Content::of(beams));
-        sink(RawScan { name, sensor: None, world_from_scan, anchor, content, unusable: 0 })?;
+        let mut scan = RawScan { name, sensor: None, world_from_scan, anchor, content, unusable: 0, is_list, notes };
+        unit::apply(options.file_unit, &mut scan);
+        sink(scan)?;
     }
     if number == 0 {
         bail!("it holds no scan");
@@ -46,7 +49,7 @@ fn next_count(lines: &mut Lines) -> Result<Option<f64>> {
         }
         let found = line.to_owned();
         return match numbers::<1>(&found) {
-            Some([n]) if (1.0..=1e6).contains(&n) && n.fract() == 0.0 => Ok(Some(n)),
+            Some([n]) if (1.0..=4e9).contains(&n) && n.fract() == 0.0 => Ok(Some(n)),
             _ => bail!("line {}: the number of columns of a scan expected, found \"{found}\"", lines.number()),
         };
     }
@@ -69,16 +72,30 @@ fn pose(lines: &mut Lines) -> Result<(Matrix3<f64>, Vec3)> {
     Ok((rotation, Vec3::new(rows[3][0], rows[3][1], rows[3][2])))
 }
 
-fn cells(lines: &mut Lines, columns: u32, rows: u32) -> Result<Vec<Cell>> {
-    let mut out = Vec::new();
-    for column in 0..columns {
+/// Cells, and a note. One column is no grid but a list of points in any order, whose count many writers guess.
+fn cells(lines: &mut Lines, columns: u32, rows: u32) -> Result<(Vec<Cell>, Vec<String>)> {
+    let (mut out, mut notes) = (Vec::new(), Vec::new());
+    let is_list = columns == 1 || rows == 1;
+    'grid: for column in 0..columns {
         for row in 0..rows {
-            let p = Vec3::from(lines.numbers::<3>("a point")?);
+            let first = lines.number() + 1;
+            let Some(p) = lines.chosen("a point", |_| Some([0, 1, 2]))? else {
+                if is_list && !out.is_empty() {
+                    notes.push(format!(
+                        "it promises {} points and holds {}; all were read",
+                        columns.max(rows),
+                        out.len()
+                    ));
+                    break 'grid;
+                }
+                bail!("it ends after line {}, where a point should follow", first - 1);
+            };
+            let p = Vec3::from(p);
             let point = (p != Vec3::zeros() && p.iter().all(|c| c.is_finite())).then_some(p);
             out.push(Cell { row, column, point });
         }
     }
-    Ok(out)
+    Ok((out, notes))
 }
 
 fn quaternion(rotation: &Matrix3<f64>) -> [f64; 4] {

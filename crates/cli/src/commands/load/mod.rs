@@ -15,7 +15,7 @@ use crate::database::connect::{Database, DatabaseArgs, explain};
 use crate::database::{layout, tables};
 use crate::memory;
 use crate::output::{Noted, notes, say};
-use crate::read::{self, Kind};
+use crate::read::{self, Columns, IdentityPose, Kind, Unit};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -48,6 +48,21 @@ pub struct LoadArgs {
     /// Keep the colour of every return (E57, LAS, LAZ); up to 3 bytes a beam more
     #[arg(long, alias = "color")]
     colour: bool,
+    /// What the columns of a text of points hold, in their order: n (number), x, y, z, i (intensity), r, g, b, - (passed over)
+    #[arg(long, value_name = "n,x,y,z,…", allow_hyphen_values = true)]
+    columns: Option<Columns>,
+    /// A comma within a number of a text is its decimal mark, where the numbers themselves do not tell
+    #[arg(long)]
+    decimal_comma: bool,
+    /// What the numbers of a file count in that does not tell it itself
+    #[arg(long, value_name = "UNIT")]
+    file_unit: Option<Unit>,
+    /// Keep the points of LAS and LAZ that are classified as noise (classes 7 and 18)
+    #[arg(long)]
+    keep_noise: bool,
+    /// What to make of a scanner at zero without rotation, as merged clouds have it
+    #[arg(long, value_enum, default_value_t)]
+    identity_pose: IdentityPose,
     /// Level of accuracy of objects whose property LevelOfAccuracy does not say
     #[arg(long, default_value = "LOA30", value_parser = parse_loa)]
     loa: Loa,
@@ -109,8 +124,7 @@ fn kind_of(file: &Path) -> Result<Kind> {
     if file.is_dir() {
         bail!("{}: it is a folder; name the files in it", file.display());
     }
-    let kind = read::kind(file)?;
-    if file.exists() { Ok(kind) } else { bail!("{}: no such file", file.display()) }
+    if file.exists() { read::kind(file) } else { bail!("{}: no such file", file.display()) }
 }
 
 /// One file, one transaction: dropped without commit, it leaves nothing.

@@ -27,6 +27,7 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
     let mut reader = Reader::start(job(args, file))?;
     while let Some(event) = reader.next(&bar)? {
         let Event::Scan(head) = event else { bail!("{}: its reader sent no scan", file.display()) };
+        head.notes.iter().for_each(|note| say!("  {}: {note}", head.name));
         if head.is_empty {
             say!("  {}: empty, passed over", head.name);
             continue;
@@ -53,6 +54,11 @@ fn job(args: &LoadArgs, file: &Path) -> Job {
         min_range: args.min_range,
         intensity: args.intensity,
         colour: args.colour,
+        columns: args.columns.clone(),
+        decimal_comma: args.decimal_comma,
+        file_unit: args.file_unit,
+        keep_noise: args.keep_noise,
+        identity_pose: args.identity_pose,
         max_memory: args.max_memory(),
     }
 }

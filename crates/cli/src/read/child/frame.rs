@@ -34,6 +34,8 @@ pub struct ScanHead {
     pub is_empty: bool,
     /// Points that are no points.
     pub unusable: u64,
+    /// What the user is to know about it.
+    pub notes: Vec<String>,
 }
 
 /// No patch and no name is longer; PostgreSQL takes no more either.

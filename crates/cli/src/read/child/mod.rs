@@ -19,7 +19,9 @@ pub use frame::ScanHead;
 pub use reader::{Event, Reader};
 pub use worker::answer;
 
-use super::ReadOptions;
+use clap::ValueEnum;
+
+use super::{Columns, IdentityPose, ReadOptions, Unit};
 
 /// What the worker is told on its command line.
 #[derive(clap::Args, Debug, Clone)]
@@ -34,6 +36,16 @@ pub struct Job {
     pub intensity: bool,
     #[arg(long)]
     pub colour: bool,
+    #[arg(long)]
+    pub columns: Option<Columns>,
+    #[arg(long)]
+    pub decimal_comma: bool,
+    #[arg(long)]
+    pub file_unit: Option<Unit>,
+    #[arg(long)]
+    pub keep_noise: bool,
+    #[arg(long, default_value = "auto")]
+    pub identity_pose: IdentityPose,
     /// Bytes
     #[arg(long)]
     pub max_memory: u64,
@@ -41,7 +53,16 @@ pub struct Job {
 
 impl Job {
     fn options(&self) -> ReadOptions {
-        ReadOptions { origin: self.origin, intensity: self.intensity, colour: self.colour }
+        ReadOptions {
+            origin: self.origin,
+            intensity: self.intensity,
+            colour: self.colour,
+            columns: self.columns.clone(),
+            decimal_comma: self.decimal_comma,
+            file_unit: self.file_unit,
+            keep_noise: self.keep_noise,
+            identity_pose: self.identity_pose,
+        }
     }
 
     fn command(&self) -> Result<Command> {
@@ -52,7 +73,19 @@ impl Job {
         if let Some(o) = self.origin {
             c.arg(format!("--origin={},{},{}", o.x, o.y, o.z));
         }
-        c.args(self.intensity.then_some("--intensity")).args(self.colour.then_some("--colour"));
+        c.args(self.columns.as_ref().map(|columns| format!("--columns={columns}")));
+        c.args(self.file_unit.map(|unit| format!("--file-unit={}", unit.option())));
+        if let Some(value) = self.identity_pose.to_possible_value() {
+            c.arg(format!("--identity-pose={}", value.get_name()));
+        }
+        for (is_set, flag) in [
+            (self.intensity, "--intensity"),
+            (self.colour, "--colour"),
+            (self.decimal_comma, "--decimal-comma"),
+            (self.keep_noise, "--keep-noise"),
+        ] {
+            c.args(is_set.then_some(flag));
+        }
         c.arg("--").arg(&self.file);
         Ok(c)
     }

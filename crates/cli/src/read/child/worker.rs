@@ -45,6 +45,7 @@ fn send(job: &Job, mut scan: RawScan, pipe: &Pipe) -> Result<()> {
         anchor: scan.anchor.into(),
         is_empty: scan.content.is_empty(),
         unusable: scan.unusable,
+        notes: std::mem::take(&mut scan.notes),
     };
     pipe.send(Kind::Scan, &postcard::to_stdvec(&head)?)?;
     if head.is_empty {

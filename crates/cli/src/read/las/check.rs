@@ -4,9 +4,11 @@ use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
 
 use anyhow::{Context, Result, bail};
-use las::{Header, raw};
+use las::{Header, LazParallelism, raw};
 use laz::LazVlr;
 use laz::laszip::ChunkTable;
+
+use crate::read::overlay::Overlay;
 
 /// Larger chunks than any writer makes, points and bytes of their points.
 const MAX_LAZ_CHUNK: u64 = 10_000_000;
@@ -15,9 +17,15 @@ const MAX_CHUNK_BYTES: u64 = 1 << 30;
 const VLR_HEAD: u64 = 54;
 const EVLR_HEAD: u64 = 60;
 
+/// What reading needs to know.
+pub struct Checked {
+    pub count: u64,
+    pub parallelism: LazParallelism,
+}
+
 /// Number of points, after refusing what the file cannot hold.
-pub fn check(file: &mut BufReader<File>) -> Result<u64> {
-    let length = file.get_ref().metadata()?.len();
+pub fn check(file: &mut BufReader<Overlay<File>>) -> Result<Checked> {
+    let length = file.get_ref().len();
     let fixed = raw::Header::read_from(&mut *file).context("not a readable LAS file")?;
     records(file, &fixed, length)?;
     file.rewind()?;
@@ -26,6 +34,10 @@ pub fn check(file: &mut BufReader<File>) -> Result<u64> {
     let room = length.saturating_sub(u64::from(fixed.offset_to_point_data));
     if header.point_format().is_compressed {
         let laz = header.laz_vlr().context("not a readable LAZ file")?;
+        if is_pointwise(&header) {
+            // One stream from the first point to the last, which is read as it comes.
+            return Ok(Checked { count, parallelism: LazParallelism::No });
+        }
         let odd = laz.items().is_empty() || laz.items_size() != len;
         if odd || (!laz.uses_variable_size_chunks() && too_large(u64::from(laz.chunk_size()), len)) {
             bail!("its LAZ compression is damaged or of an unknown kind");
@@ -35,11 +47,17 @@ pub fn check(file: &mut BufReader<File>) -> Result<u64> {
     } else if u128::from(count) * u128::from(len) > u128::from(room) {
         bail!("its header promises {count} points, more than the file holds");
     }
-    Ok(count)
+    Ok(Checked { count, parallelism: LazParallelism::Yes })
+}
+
+/// The first LAZ files were one chunk without a table.
+fn is_pointwise(header: &Header) -> bool {
+    let record = header.vlrs().iter().find(|v| v.user_id == LazVlr::USER_ID && v.record_id == LazVlr::RECORD_ID);
+    record.is_some_and(|v| v.data.starts_with(&1u16.to_le_bytes()))
 }
 
 /// The records beside the points; each extended one is gone to.
-fn records(file: &mut BufReader<File>, fixed: &raw::Header, length: u64) -> Result<()> {
+fn records(file: &mut BufReader<Overlay<File>>, fixed: &raw::Header, length: u64) -> Result<()> {
     let (start, points) = (u64::from(fixed.header_size), u64::from(fixed.offset_to_point_data));
     let claimed = u64::from(fixed.number_of_variable_length_records) * VLR_HEAD;
     if points > length || start + claimed > points {
@@ -66,7 +84,7 @@ fn records(file: &mut BufReader<File>, fixed: &raw::Header, length: u64) -> Resu
 }
 
 /// The table of chunks, whose start is told at the start of the points or, by writers to a stream, at the file's end.
-fn chunks(file: &mut BufReader<File>, laz: &LazVlr, length: u64, count: u64) -> Result<()> {
+fn chunks(file: &mut BufReader<Overlay<File>>, laz: &LazVlr, length: u64, count: u64) -> Result<()> {
     let (point, data) = (laz.items_size(), file.stream_position()?);
     let mut at = number(file)?;
     if at <= data as i64 {
@@ -101,7 +119,7 @@ fn chunks(file: &mut BufReader<File>, laz: &LazVlr, length: u64, count: u64) -> 
     Ok(())
 }
 
-fn number(file: &mut BufReader<File>) -> Result<i64> {
+fn number(file: &mut BufReader<Overlay<File>>) -> Result<i64> {
     let mut bytes = [0; 8];
     file.read_exact(&mut bytes).context("it ends before its points")?;
     Ok(i64::from_le_bytes(bytes))

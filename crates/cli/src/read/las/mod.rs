@@ -1,16 +1,19 @@
 //! LAS and LAZ, through the `las` crate. Without `--origin` the points have none.
 
 mod check;
+mod crs;
+mod mend;
+mod wkt;
 
 use std::fs::File;
-use std::io::{BufReader, Seek};
+use std::io::Seek;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::{Beam, Content};
 use indicatif::ProgressBar;
-use las::{LazParallelism, PointDataBuilder, Reader, ReaderOptions};
+use las::{PointData, PointDataBuilder, Reader, ReaderOptions};
 
 use super::{ReadOptions, Sink, scan_of_content};
 
@@ -18,39 +21,128 @@ use super::{ReadOptions, Sink, scan_of_content};
 const AT_ONCE: u64 = 500_000;
 const BYTES_AT_ONCE: u64 = 64 << 20;
 
-/// Reads all points.
+/// Reads all points but those withheld and, unless they are wanted, noise.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
-    let mut file = BufReader::with_capacity(1 << 20, File::open(path).context("cannot open it")?);
-    let count = check::check(&mut file)?;
+    let (mut file, mut notes) = mend::open(File::open(path).context("cannot open it")?)?;
+    let check::Checked { count, parallelism } = check::check(&mut file)?;
     file.rewind()?;
     bar.set_length(count);
-    let parallel = ReaderOptions::default().with_laz_parallelism(LazParallelism::Yes);
-    let mut reader = Reader::with_options(file, parallel).context("not a readable LAS file")?;
-    let t = *reader.header().transforms();
+    let serial = ReaderOptions::default().with_laz_parallelism(parallelism);
+    let mut reader = Reader::with_options(file, serial).context("not a readable LAS file")?;
+    let (factors, said) = crs::factors(crs::units(reader.header())?, options.file_unit)?;
+    notes.extend(said);
+    let mut points = Points::new(reader.header().point_format().is_extended, factors, options);
     let mut data = PointDataBuilder::new().for_header(reader.header()).build();
-    let mut content = Content { intensity: options.intensity.then(Vec::new), ..Content::default() };
-    let mut colours = Vec::new();
     let at_once = AT_ONCE.min(BYTES_AT_ONCE / u64::from(reader.header().point_format().len()).max(1));
-    while (content.len() as u64) < count {
+    while points.read < count {
         let got = reader.fill_points(at_once, &mut data).context("its points are damaged")?;
         if got == 0 {
-            bail!("it ends after {} of {count} points", content.len());
+            bail!("it ends after {} of {count} points", points.read);
         }
-        // In every point format a record starts with x, y, z as 32-bit integers.
-        content.beams.extend(data.raw_bytes().chunks_exact(data.record_len()).map(|record| {
-            let coordinate = |at: usize| i32::from_le_bytes(std::array::from_fn(|k| record[at + k]));
-            let offset = Vec3::new(t.x.direct(coordinate(0)), t.y.direct(coordinate(4)), t.z.direct(coordinate(8)));
-            Beam { offset, returned: true }
-        }));
-        content.intensity.iter_mut().for_each(|plane| plane.extend(data.intensity()));
-        if let (true, Some(some)) = (options.colour, data.rgb()) {
-            colours.extend(some.map(|(r, g, b)| [r, g, b]));
-        }
+        points.add(&data, options);
         bar.inc(got);
     }
-    // The format wants sixteen bits a part; many writers fill eight.
-    let shift = if colours.iter().flatten().any(|&part| part > 255) { 8 } else { 0 };
-    content.colour =
-        (!colours.is_empty()).then(|| colours.iter().map(|c| c.map(|part| (part >> shift) as u8)).collect());
-    sink(scan_of_content(path, content, options.origin)?)
+    notes.extend(points.said());
+    if points.dropped.len() as u64 == count && count > 0 {
+        bail!("it holds no points but {}", points.said().join(" and "));
+    }
+    // Its units are known by now.
+    let options = ReadOptions { file_unit: None, ..options.clone() };
+    let mut scan = scan_of_content(path, points.content(), &options)?;
+    scan.notes.splice(0..0, notes);
+    sink(scan)
+}
+
+/// Points as they are read.
+struct Points {
+    is_extended: bool,
+    factors: [f64; 3],
+    content: Content,
+    colours: Vec<[u16; 3]>,
+    read: u64,
+    /// Places of points to leave out, and how many of them are withheld.
+    dropped: Vec<u32>,
+    withheld: u64,
+    noise: u64,
+    keep_noise: bool,
+}
+
+/// Low points (noise) and high noise.
+const NOISE: [u8; 2] = [7, 18];
+
+impl Points {
+    fn new(is_extended: bool, factors: [f64; 3], options: &ReadOptions) -> Self {
+        let content = Content { intensity: options.intensity.then(Vec::new), ..Content::default() };
+        let (colours, dropped) = (Vec::new(), Vec::new());
+        Self {
+            is_extended,
+            factors,
+            content,
+            colours,
+            read: 0,
+            dropped,
+            withheld: 0,
+            noise: 0,
+            keep_noise: options.keep_noise,
+        }
+    }
+
+    fn add(&mut self, data: &PointData, options: &ReadOptions) {
+        let (t, [fx, fy, fz]) = (*data.transforms(), self.factors);
+        // In every point format a record starts with x, y, z as 32-bit integers.
+        for record in data.raw_bytes().chunks_exact(data.record_len()) {
+            let coordinate = |at: usize| i32::from_le_bytes(std::array::from_fn(|k| record[at + k]));
+            let offset = Vec3::new(
+                t.x.direct(coordinate(0)) * fx,
+                t.y.direct(coordinate(4)) * fy,
+                t.z.direct(coordinate(8)) * fz,
+            );
+            self.content.beams.push(Beam { offset, returned: true });
+            self.judge(record);
+        }
+        self.content.intensity.iter_mut().for_each(|plane| plane.extend(data.intensity()));
+        if let (true, Some(some)) = (options.colour, data.rgb()) {
+            self.colours.extend(some.map(|(r, g, b)| [r, g, b]));
+        }
+    }
+
+    /// Notes whether the point is to be left out.
+    fn judge(&mut self, record: &[u8]) {
+        // Class and flags share a byte in formats 0 to 5.
+        let (is_withheld, class) =
+            if self.is_extended { (record[15] & 4 != 0, record[16]) } else { (record[15] & 128 != 0, record[15] & 31) };
+        let is_noise = NOISE.contains(&class);
+        self.withheld += u64::from(is_withheld);
+        self.noise += u64::from(is_noise && !is_withheld);
+        if is_withheld || is_noise && !self.keep_noise {
+            self.dropped.push(self.read as u32);
+        }
+        self.read += 1;
+    }
+
+    fn said(&self) -> Vec<String> {
+        let mut out = Vec::new();
+        if self.withheld > 0 {
+            out.push(format!("{} withheld points dropped", self.withheld));
+        }
+        match (self.noise, self.keep_noise) {
+            (0, _) => {}
+            (n, true) => out.push(format!("{n} points classified as noise (7, 18) kept")),
+            (n, false) => out.push(format!("{n} points classified as noise (7, 18) dropped; --keep-noise keeps them")),
+        }
+        out
+    }
+
+    fn content(mut self) -> Content {
+        // The format wants sixteen bits a part; many writers fill eight.
+        let shift = if self.colours.iter().flatten().any(|&part| part > 255) { 8 } else { 0 };
+        let eight = |c: &[u16; 3]| c.map(|part| (part >> shift) as u8);
+        self.content.colour = (!self.colours.is_empty()).then(|| self.colours.iter().map(eight).collect());
+        if self.dropped.is_empty() {
+            return self.content;
+        }
+        let mut dropped = self.dropped.iter().peekable();
+        let kept: Vec<u32> = (0..self.content.len() as u32).filter(|i| dropped.next_if_eq(&i).is_none()).collect();
+        self.content.select(&kept)
+    }
 }

@@ -1,21 +1,24 @@
 //! E57 (ASTM E2807), through the `e57` crate.
 
+mod mend;
+
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::{Beam, Content};
-use e57::{CartesianCoordinate, E57Reader, Point, PointCloud, RecordDataType};
+use e57::{CartesianCoordinate, Point, PointCloud, RecordDataType};
 use indicatif::ProgressBar;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::grid::{Cell, missing_directions};
-use super::{NO_ROTATION, RawScan, ReadOptions, Sink, stem};
+use super::{NO_ROTATION, RawScan, ReadOptions, Sink, stem, unit};
 
 /// Reads every point cloud of the file.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
+    unit::check(1.0, options.file_unit)?;
     let length = check_head(path)?;
-    let mut file = E57Reader::from_file(path).context("not a readable E57 file")?;
+    let (mut file, mut notes) = mend::open(std::fs::File::open(path).context("cannot open it")?)?;
     let clouds = file.pointclouds();
     if clouds.is_empty() {
         bail!("it holds no point cloud");
@@ -25,6 +28,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     for (i, cloud) in clouds.iter().enumerate() {
         check(cloud, length)?;
         let mut scan = read_cloud(&mut file, cloud, options, bar)?;
+        scan.notes.append(&mut notes);
         points += scan.content.len();
         scan.name =
             cloud.name.clone().filter(|n| !n.is_empty()).unwrap_or_else(|| format!("{} #{}", stem(path), i + 1));
@@ -80,7 +84,7 @@ fn bits(data_type: &RecordDataType) -> u128 {
 /// Points in the scanner's frame become beams from its position. Without a pose, a grid or spherical coordinates
 /// tell that the scanner is at zero; other clouds without pose are points without origin.
 fn read_cloud(
-    file: &mut E57Reader<std::io::BufReader<std::fs::File>>,
+    file: &mut mend::Reader,
     cloud: &PointCloud,
     options: &ReadOptions,
     bar: &ProgressBar,
@@ -102,6 +106,8 @@ fn read_cloud(
         anchor: scanner,
         content,
         unusable,
+        is_list: false,
+        notes: Vec::new(),
     };
     if has_origin {
         let missing = missing_directions(&cells);
@@ -118,7 +124,7 @@ const MAX_RESERVED: u64 = 1 << 24;
 type Collected = (Content, Vec<Cell>, u64);
 
 fn collect(
-    file: &mut E57Reader<std::io::BufReader<std::fs::File>>,
+    file: &mut mend::Reader,
     cloud: &PointCloud,
     options: &ReadOptions,
     bar: &ProgressBar,

@@ -1,0 +1,124 @@
+//! What a file is: by its content, and by its name where the content is text that could be several.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail};
+
+use super::text::lines::encoding;
+
+/// Models and scans.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A building model.
+    Model,
+    /// Laser scans or points.
+    Scan,
+}
+
+/// Formats that are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    Ifc,
+    E57,
+    /// LAS and LAZ.
+    Las,
+    Ply,
+    Pcd,
+    Ptx,
+    /// A point a line: XYZ, PTS, ASC, TXT, CSV.
+    Text,
+}
+
+const ENDINGS: [(&str, Form); 12] = [
+    ("ifc", Form::Ifc),
+    ("e57", Form::E57),
+    ("las", Form::Las),
+    ("laz", Form::Las),
+    ("ply", Form::Ply),
+    ("pcd", Form::Pcd),
+    ("ptx", Form::Ptx),
+    ("pts", Form::Text),
+    ("xyz", Form::Text),
+    ("asc", Form::Text),
+    ("txt", Form::Text),
+    ("csv", Form::Text),
+];
+
+/// Tells models from scans.
+pub fn kind(path: &Path) -> Result<Kind> {
+    Ok(if form(path)? == Form::Ifc { Kind::Model } else { Kind::Scan })
+}
+
+/// What a file is. Files that begin as no format does go by their ending, whose reader says what is wrong with them.
+pub fn form(path: &Path) -> Result<Form> {
+    let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+    let by_name = ENDINGS.iter().find(|(e, _)| *e == ending).map(|(_, form)| *form);
+    let mut head = Vec::new();
+    let file = File::open(path).with_context(|| format!("{}: cannot open it", path.display()))?;
+    file.take(4096).read_to_end(&mut head).with_context(|| format!("{}: cannot read it", path.display()))?;
+    match by_content(&head).or(by_name) {
+        Some(Form::Text) if is_ptx(&head) => Ok(Form::Ptx),
+        Some(form) => Ok(form),
+        None if is_text(&head) => Ok(Form::Text),
+        None => {
+            let known: Vec<&str> = ENDINGS.iter().map(|(e, _)| *e).collect();
+            bail!("{}: unknown kind of file \".{ending}\"; known are {}", path.display(), known.join(", "))
+        }
+    }
+}
+
+/// By the marks that binary formats, PLY, PCD and STEP begin with.
+fn by_content(head: &[u8]) -> Option<Form> {
+    let text = encoding(head).decode(head).0;
+    let text = text.trim_start();
+    let has = |marks: &[&str]| marks.iter().any(|m| text.starts_with(m));
+    match head {
+        _ if head.starts_with(b"ASTM-E57") => Some(Form::E57),
+        _ if head.starts_with(b"LASF") => Some(Form::Las),
+        _ if has(&["ply\n", "ply\r"]) => Some(Form::Ply),
+        _ if has(&["# .PCD", "# .pcd"]) || has(&["VERSION "]) && text.contains("FIELDS") => Some(Form::Pcd),
+        _ if has(&["ISO-10303-21"]) || has(&["/*"]) && text.contains("ISO-10303-21") => Some(Form::Ifc),
+        _ => None,
+    }
+}
+
+fn is_text(head: &[u8]) -> bool {
+    let text = encoding(head).decode(head).0;
+    !head.is_empty() && !text.chars().any(|c| c.is_control() && !c.is_whitespace())
+}
+
+/// Two counts, four lines of three numbers, four of four.
+fn is_ptx(head: &[u8]) -> bool {
+    let text = encoding(head).decode(head).0;
+    let mut counts = text.split(['\n', '\r']).filter(|l| !l.trim().is_empty()).map(|l| l.split_whitespace().count());
+    [1, 1, 3, 3, 3, 3, 4, 4, 4, 4].into_iter().all(|expected| counts.next() == Some(expected))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn content_goes_before_the_name() {
+        let ptx = "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n";
+        for (name, content, expected) in [
+            ("a.xyz", "ply\nformat", Some(Form::Ply)),
+            ("a.ply", "\u{feff}ply\r\nformat", Some(Form::Ply)),
+            ("a.txt", "1 2 3\n", Some(Form::Text)),
+            ("a.dat", "1 2 3\n", Some(Form::Text)),
+            ("a", "\u{feff}ISO-10303-21;", Some(Form::Ifc)),
+            ("a.ifc", "/* by us */\nISO-10303-21;", Some(Form::Ifc)),
+            ("a.xyz", ptx, Some(Form::Ptx)),
+            ("a.las", "LASF\x01\x02", Some(Form::Las)),
+            ("a.ifc", "nonsense", Some(Form::Ifc)),
+            ("a.bin", "\x01\x02\x03", None),
+        ] {
+            let path = std::env::temp_dir().join(format!("asbuilt-content-{}-{name}", std::process::id()));
+            std::fs::write(&path, content).unwrap();
+            assert_eq!(form(&path).ok(), expected, "{name}: {content}");
+            std::fs::remove_file(path).unwrap();
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! A tree of well-known text (OGC 12-063r5): `KEYWORD["text", number, KEYWORD[…], …]`.
+
+/// A keyword and what stands in its brackets.
+#[derive(Debug)]
+pub struct Node {
+    keyword: String,
+    words: Vec<String>,
+    children: Vec<Node>,
+}
+
+/// No real text is nested deeper.
+const DEEPEST: usize = 64;
+
+impl Node {
+    /// The tree of a text; `None` where it is none.
+    pub fn parse(text: &str) -> Option<Self> {
+        let mut rest = text.trim_start();
+        Self::node(&mut rest, 0)
+    }
+
+    fn node(rest: &mut &str, depth: usize) -> Option<Self> {
+        let open = rest.find(['[', '('])?;
+        let keyword = rest[..open].trim().to_uppercase();
+        if depth > DEEPEST || keyword.is_empty() || !keyword.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_') {
+            return None;
+        }
+        *rest = rest[open + 1..].trim_start();
+        let mut node = Self { keyword, words: Vec::new(), children: Vec::new() };
+        loop {
+            if let Some(after) = rest.strip_prefix([']', ')']) {
+                *rest = after.trim_start();
+                return Some(node);
+            }
+            if let Some(after) = rest.strip_prefix(',') {
+                *rest = after.trim_start();
+            } else if let Some(after) = rest.strip_prefix('"') {
+                let end = after.find('"')?;
+                node.words.push(after[..end].to_owned());
+                *rest = after[end + 1..].trim_start();
+            } else {
+                let end = rest.find(['[', '(', ']', ')', ','])?;
+                if rest[end..].starts_with(['[', '(']) {
+                    node.children.push(Self::node(rest, depth + 1)?);
+                } else {
+                    node.words.push(rest[..end].trim().to_owned());
+                    *rest = &rest[end..];
+                }
+            }
+        }
+    }
+
+    pub fn is(&self, keywords: &[&str]) -> bool {
+        keywords.contains(&self.keyword.as_str())
+    }
+
+    pub fn children(&self) -> &[Self] {
+        &self.children
+    }
+
+    /// The first child of one of these keywords.
+    pub fn child(&self, keywords: &[&str]) -> Option<&Self> {
+        self.children.iter().find(|c| c.is(keywords))
+    }
+
+    pub fn word(&self, place: usize) -> Option<&str> {
+        self.words.get(place).map(String::as_str)
+    }
+
+    /// The number behind its name.
+    pub fn number(&self) -> Option<f64> {
+        self.word(1)?.parse().ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Node;
+
+    #[test]
+    fn trees_are_read_and_nonsense_is_not() {
+        let tree = Node::parse(r#"A["x [y]", 1.5 , B(2), c["z"]]"#).unwrap();
+        assert!(tree.is(&["A"]) && tree.number() == Some(1.5) && tree.child(&["C"]).is_some());
+        for wrong in ["", "A", "A[", "A[\"", "[1]", "A[B[1]"] {
+            assert!(Node::parse(wrong).is_none(), "{wrong}");
+        }
+        assert!(Node::parse(&"A[".repeat(100_000)).is_none());
+    }
+}

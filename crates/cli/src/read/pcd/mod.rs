@@ -1,0 +1,161 @@
+//! PCD (PCL). Where VIEWPOINT says more than its default, the points are in the scanner's frame and VIEWPOINT is its
+//! pose, as CloudCompare (from 2.13 on) and pcl_viewer read it; the default is what merged clouds carry, too.
+//!
+//! The files of others have capitals, integers, commas and fields of one name, which the `pcd-rs` crate refuses.
+
+mod header;
+
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
+use std::path::Path;
+
+use anyhow::{Context, Result, anyhow, bail};
+use asbuilt_core::geometry::Vec3;
+use indicatif::ProgressBar;
+use nalgebra::{Quaternion, UnitQuaternion};
+
+use super::text::Lines;
+use super::{RawScan, ReadOptions, Sink, scan_of_points};
+use header::{Field, Header, Storage};
+
+/// Reads all points.
+pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
+    let mut lines = Lines::open(path, bar)?;
+    let header = Header::read(&mut lines)?;
+    let places = [header.place("x")?, header.place("y")?, header.place("z")?];
+    bar.set_length(header.points);
+    let points = match header.storage {
+        Storage::Ascii => ascii(lines, &header, places, bar)?,
+        Storage::Binary => binary(behind_header(path)?, &header, places, bar)?,
+        Storage::Compressed => compressed(behind_header(path)?, &header, places)?,
+    };
+    let has_pose = header.viewpoint != [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let here = ReadOptions { origin: if has_pose { Some(Vec3::zeros()) } else { options.origin }, ..options.clone() };
+    let mut scan = scan_of_points(path, points, &here)?;
+    if has_pose {
+        pose(&mut scan, &header.viewpoint, options);
+    }
+    sink(scan)
+}
+
+/// Turns the scan by VIEWPOINT and sets it there.
+fn pose(scan: &mut RawScan, viewpoint: &[f64; 7], options: &ReadOptions) {
+    let [x, y, z, w, i, j, k] = *viewpoint;
+    let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
+    let scale = options.file_unit.map_or(1.0, super::Unit::metres);
+    scan.anchor = Vec3::new(x, y, z) * scale;
+    scan.content.beams.iter_mut().for_each(|b| b.offset = rotation * b.offset);
+    scan.world_from_scan = Some([rotation.w, rotation.i, rotation.j, rotation.k]);
+    if rotation.angle() == 0.0 {
+        scan.notes.push(
+            "VIEWPOINT has a place and no rotation: its points are taken to be in the scanner's frame, as CloudCompare does; \
+             if they are in world coordinates, set VIEWPOINT to 0 0 0 1 0 0 0 and give --origin"
+                .into(),
+        );
+    }
+}
+
+/// The file behind the line DATA.
+fn behind_header(path: &Path) -> Result<BufReader<File>> {
+    let mut file = BufReader::with_capacity(1 << 20, File::open(path).context("cannot open it")?);
+    loop {
+        let mut line = Vec::new();
+        if file.by_ref().take(1 << 16).read_until(b'\n', &mut line)? == 0 {
+            bail!("it ends before its points");
+        }
+        if line.trim_ascii_start().to_ascii_uppercase().starts_with(b"DATA") {
+            return Ok(file);
+        }
+    }
+}
+
+fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBar) -> Result<Vec<Vec3>> {
+    // A field of several values takes as many words.
+    let words_before = |place: usize| header.fields[..place].iter().map(|f| f.count).sum::<usize>();
+    let places = places.map(words_before);
+    let mut points = Vec::new();
+    while (points.len() as u64) < header.points {
+        let number = lines.number() + 1;
+        let Some(point) = lines.chosen("a point", |_| Some(places))? else {
+            bail!(
+                "its header promises {} points, more than the file holds: it ends with line {}",
+                header.points,
+                number - 1
+            );
+        };
+        points.push(point.into());
+        if points.len() % 65_536 == 0 {
+            bar.set_position(points.len() as u64);
+        }
+    }
+    Ok(points)
+}
+
+fn binary(mut file: BufReader<File>, header: &Header, places: [usize; 3], bar: &ProgressBar) -> Result<Vec<Vec3>> {
+    let room = room(&mut file)?;
+    if u128::from(header.points) * header.record() as u128 > u128::from(room) {
+        bail!("its header promises {} points, more than the file holds", header.points);
+    }
+    let at = |place: usize| header.fields[..place].iter().map(Field::bytes).sum::<usize>();
+    let starts = places.map(at);
+    let mut record = vec![0; header.record()];
+    let mut points = Vec::with_capacity(header.points as usize);
+    for i in 0..header.points {
+        file.read_exact(&mut record)?;
+        let value = |axis: usize| number(&header.fields[places[axis]], &record[starts[axis]..]);
+        points.push(Vec3::new(value(0), value(1), value(2)));
+        if i.is_multiple_of(65_536) {
+            bar.set_position(i);
+        }
+    }
+    Ok(points)
+}
+
+/// All values of a field lie together.
+fn compressed(mut file: BufReader<File>, header: &Header, places: [usize; 3]) -> Result<Vec<Vec3>> {
+    let room = room(&mut file)?;
+    let mut sizes = [0; 8];
+    file.read_exact(&mut sizes).context("it ends before its points")?;
+    let size = |k: usize| u64::from(u32::from_le_bytes(std::array::from_fn(|i| sizes[k + i])));
+    let (packed, unpacked) = (size(0), size(4));
+    // LZF makes at most 264 bytes of 3.
+    let fits = packed + 8 <= room && unpacked <= packed * 88 + 264;
+    if !fits || u128::from(unpacked) != u128::from(header.points) * header.record() as u128 {
+        bail!("its header promises {} points, more than the file holds", header.points);
+    }
+    let mut bytes = vec![0; packed as usize];
+    file.read_exact(&mut bytes)?;
+    let all =
+        lzf::decompress(&bytes, unpacked as usize).map_err(|e| anyhow!("its compressed points are damaged: {e}"))?;
+    if all.len() as u64 != unpacked {
+        bail!("its compressed points are damaged: {} bytes of {unpacked}", all.len());
+    }
+    let points = header.points as usize;
+    let start = |place: usize| header.fields[..place].iter().map(Field::bytes).sum::<usize>() * points;
+    let value = |axis: usize, i: usize| {
+        let field = &header.fields[places[axis]];
+        number(field, &all[start(places[axis]) + i * field.bytes()..])
+    };
+    Ok((0..points).map(|i| Vec3::new(value(0, i), value(1, i), value(2, i))).collect())
+}
+
+fn room(file: &mut BufReader<File>) -> Result<u64> {
+    let at = file.stream_position()?;
+    let length = file.get_ref().metadata()?.len();
+    file.seek(SeekFrom::Start(at))?;
+    Ok(length.saturating_sub(at))
+}
+
+/// The first value of a field.
+fn number(field: &Field, bytes: &[u8]) -> f64 {
+    let word = || u64::from_le_bytes(std::array::from_fn(|k| if k < field.size { bytes[k] } else { 0 }));
+    match (field.kind, field.size) {
+        ('F', 4) => f64::from(f32::from_bits(word() as u32)),
+        ('F', _) => f64::from_bits(word()),
+        ('U', _) => word() as f64,
+        (_, size) => {
+            let shift = 64 - 8 * size as u32;
+            ((word() << shift) as i64 >> shift) as f64
+        }
+    }
+}
