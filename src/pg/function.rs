@@ -29,7 +29,12 @@ pub unsafe fn run(
                 outcome = Err(Error::OutOfMemory { bytes });
             }
             match outcome {
-                Ok(ret) => ret.into_datum(fcinfo),
+                Ok(ret) => {
+                    if let (Some(account), Ret::Bytes(bytes)) = (account, &ret) {
+                        account.hand_over(bytes.len());
+                    }
+                    ret.into_datum(fcinfo)
+                }
                 Err(error) => raise(&error, name),
             }
         })

@@ -3,7 +3,7 @@
 //! All that lives in a backend is counted ([`super::allocator`]). A call whose memory a setting limits opens that
 //! setting's account; what is taken until it closes, and what its aggregate states give back later, is the account's.
 
-use std::sync::atomic::{AtomicIsize, AtomicUsize, Ordering::Relaxed};
+use std::sync::atomic::{AtomicI64, AtomicIsize, AtomicUsize, Ordering::Relaxed};
 
 use asbuilt_core::{Budget, Error, Result};
 
@@ -25,6 +25,11 @@ const ACCOUNTS: [Account; 3] = [Account::Other, Account::Grid, Account::Evidence
 
 /// What each account held when it was last closed.
 static HELD: [AtomicIsize; 3] = [const { AtomicIsize::new(0) }; 3];
+/// Bytes of the value that each account's calls handed to PostgreSQL last: while the next one is made, it is held by
+/// whoever asked for it.
+static HANDED: [AtomicUsize; 3] = [const { AtomicUsize::new(0) }; 3];
+/// When the statement began in which that was.
+static STATEMENT: AtomicI64 = AtomicI64::new(0);
 /// The account that is open, by its place in [`ACCOUNTS`].
 static OPEN: AtomicUsize = AtomicUsize::new(0);
 /// What lived when it was opened.
@@ -50,6 +55,11 @@ impl Account {
         ACCOUNTS[OPEN.load(Relaxed)]
     }
 
+    /// A value of so many bytes is PostgreSQL's from now on.
+    pub fn hand_over(self, bytes: usize) {
+        HANDED[self as usize].store(bytes, Relaxed);
+    }
+
     fn limit(self) -> usize {
         match self {
             Self::Other => usize::MAX,
@@ -70,6 +80,10 @@ fn switch(to: usize) -> usize {
     let (live, open) = (allocator::live(), OPEN.load(Relaxed));
     HELD[open].fetch_add(live - BEFORE.swap(live, Relaxed), Relaxed);
     OPEN.store(to, Relaxed);
+    let statement = unsafe { pgrx::pg_sys::GetCurrentStatementStartTimestamp() };
+    if STATEMENT.swap(statement, Relaxed) != statement {
+        HANDED.iter().for_each(|bytes| bytes.store(0, Relaxed));
+    }
     read_limits();
     open
 }
@@ -80,11 +94,12 @@ fn read_limits() {
     LIMIT.store(Account::current().limit(), Relaxed);
 }
 
-/// Bytes on the open account, and in all.
+/// Bytes on the open account, and in all, with what was handed over last.
 fn taken() -> [usize; 2] {
-    let live = allocator::live();
-    let own = HELD[OPEN.load(Relaxed)].load(Relaxed) + live - BEFORE.load(Relaxed);
-    [own, live].map(|bytes| bytes.max(0) as usize)
+    let (live, open) = (allocator::live(), OPEN.load(Relaxed));
+    let own = HELD[open].load(Relaxed) + live - BEFORE.load(Relaxed);
+    let handed = HANDED[open].load(Relaxed);
+    [own, live].map(|bytes| (bytes.max(0) as usize).saturating_add(handed))
 }
 
 /// An error where `more` bytes would be too many, for the open account or for all together.

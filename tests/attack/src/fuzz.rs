@@ -72,7 +72,11 @@ fn one(report: &mut Report, target: &str, seconds: f64) {
         std::fs::write(work.join(format!("seed-{i}")), seed).expect("a seed");
     }
     let artifacts = root().join("target/attack/findings").join(format!("fuzz-{target}-"));
-    let out = Command::new(root().join("target/fuzz/x86_64-unknown-linux-gnu/release/fuzz"))
+    // Through a shell that forks: Linux counts the peak of who calls exec as that of the program called, and libFuzzer
+    // would take ours for its own.
+    let out = Command::new("sh")
+        .args(["-c", "\"$@\"; exit $?", "sh"])
+        .arg(root().join("target/fuzz/x86_64-unknown-linux-gnu/release/fuzz"))
         .arg(format!("-max_total_time={}", seconds.max(1.0) as u64))
         .args(["-timeout=5", "-rss_limit_mb=2048", "-malloc_limit_mb=1024", "-max_len=65536"])
         .args(["-print_final_stats=1", "-use_value_profile=1"])

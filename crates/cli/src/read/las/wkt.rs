@@ -15,10 +15,10 @@ impl Node {
     /// The tree of a text; `None` where it is none.
     pub fn parse(text: &str) -> Option<Self> {
         let mut rest = text.trim_start();
-        Self::node(&mut rest, 0)
+        Self::branch(&mut rest, 0)
     }
 
-    fn node(rest: &mut &str, depth: usize) -> Option<Self> {
+    fn branch(rest: &mut &str, depth: usize) -> Option<Self> {
         let open = rest.find(['[', '('])?;
         let keyword = rest[..open].trim().to_uppercase();
         if depth > DEEPEST || keyword.is_empty() || !keyword.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_') {
@@ -40,7 +40,7 @@ impl Node {
             } else {
                 let end = rest.find(['[', '(', ']', ')', ','])?;
                 if rest[end..].starts_with(['[', '(']) {
-                    node.children.push(Self::node(rest, depth + 1)?);
+                    node.children.push(Self::branch(rest, depth + 1)?);
                 } else {
                     node.words.push(rest[..end].trim().to_owned());
                     *rest = &rest[end..];
