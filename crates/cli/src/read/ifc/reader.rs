@@ -162,7 +162,7 @@ impl Drop for Worker {
 }
 
 impl Progress {
-    fn take(&mut self, told: Told, limits: Limits) -> Result<()> {
+    pub(super) fn take(&mut self, told: Told, limits: Limits) -> Result<()> {
         match told {
             Told::Header(header) => self.header = Some(*header),
             Told::Begun(id) => drop(self.running.insert(id)),

@@ -46,6 +46,13 @@ impl Soup {
         self.triangles[triangle].map(|i| self.vertices[i as usize])
     }
 
+    /// Across a triangle, outwards; twice its area long.
+    pub fn normal(&self, triangle: usize) -> [f64; 3] {
+        let [a, b, c] = self.corners(triangle);
+        let (u, v) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
+        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    }
+
     /// The box around it; empty ones turn inside out.
     pub fn bounds(&self) -> ([f64; 3], [f64; 3]) {
         let start = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);

@@ -44,7 +44,10 @@ pub fn answer(path: &Path, limits: WorkerLimits) -> Result<()> {
     let _ = geometry_pool_builder().build_global();
     let mut out = std::io::BufWriter::with_capacity(1 << 18, stdout().lock());
     // A panic is told as what it is, product by product.
-    let told = silence_panics(|| tell(path, &task, limits, &mut out));
+    let told = silence_panics(|| {
+        let bytes = std::fs::read(path).map_err(|e| format!("cannot read it: {e}"))?;
+        tell(bytes, &task, limits, &mut out)
+    });
     match told {
         Ok(Ok(())) => {}
         Ok(Err(reason)) => Told::Refused(reason).write(&mut out)?,
@@ -55,9 +58,15 @@ pub fn answer(path: &Path, limits: WorkerLimits) -> Result<()> {
     std::process::exit(0)
 }
 
-fn tell(path: &Path, task: &Task, limits: WorkerLimits, out: &mut impl Write) -> std::result::Result<(), String> {
+/// Tells a file's products, piece by piece.
+pub(super) fn tell(
+    bytes: Vec<u8>,
+    task: &Task,
+    limits: WorkerLimits,
+    out: &mut impl Write,
+) -> std::result::Result<(), String> {
     // The process ends with the file: its text needs no owner, and threads that do not end may go on reading it.
-    let bytes: &'static [u8] = Vec::leak(std::fs::read(path).map_err(|e| format!("cannot read it: {e}"))?);
+    let bytes: &'static [u8] = Vec::leak(bytes);
     let step: &'static Step = Box::leak(Box::new(Step::read(bytes)?));
     let text: &'static [u8] = &step.text;
     let index = Arc::new(build_entity_index(text));

@@ -4,14 +4,15 @@
 use super::line::{Line, union, unit, without};
 use crate::read::ifc::soup::Soup;
 
-/// Shorter stretches are rounding, metres.
-const TOLERANCE_M: f64 = 3e-4;
+/// Shorter stretches are rounding, metres: the geometry library's grid of 1/65536 m, seen aslant.
+const TOLERANCE_M: f64 = 2e-3;
 /// A skin that closes an opening is thinner than any part of a building, metres.
 const SKIN_M: f64 = 1e-4;
 const NOTHING_M: f64 = 1e-6;
-/// Lines through an opening, and through all openings of a host.
-const LINES: usize = 64;
-const LINES_OF_HOST: usize = 640;
+/// A line may graze an edge; so many that find a skin do not.
+const SKINS: usize = 3;
+/// Lines through all openings of a host.
+const LINES_OF_HOST: usize = 480;
 
 /// What was found of a cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,20 +24,25 @@ pub enum Finding {
     Open,
 }
 
-/// Judges what is left of a host; `tools` are its openings.
-pub fn judge(host: &Soup, tools: &[Soup], left: &Soup, seed: u64) -> Finding {
-    let mut random = Random(seed);
-    let lines = (LINES_OF_HOST / tools.len().max(1)).clamp(8, LINES);
-    let (mut judged, mut open) = (0, 0);
+/// Judges what is left of a host along so many lines through each of its openings, the `tools`.
+pub fn judge(host: &Soup, tools: &[Soup], left: &Soup, lines: usize) -> Finding {
+    // The same lines every time.
+    let mut random = Random(0x1FC);
+    let lines = (LINES_OF_HOST / tools.len().max(1)).clamp(4, lines);
+    let (mut judged, mut open, mut skins) = (0, 0, 0);
     for tool in tools {
         let (low, high) = common(host, tool);
         for _ in 0..lines {
             let point = [0, 1, 2].map(|k| low[k] + (high[k] - low[k]) * random.next());
             let direction = unit([0, 1, 2].map(|_| random.next() - 0.5));
-            match off(host, tools, left, &Line::new(point, direction)) {
-                None => open += 1,
-                Some(off) if off > 0.0 => return Finding::Wrong(off),
-                Some(_) => judged += 1,
+            let Some((off, is_skin)) = compare(host, tools, left, &Line::new(point, direction)) else {
+                open += 1;
+                continue;
+            };
+            judged += 1;
+            skins += usize::from(is_skin);
+            if off > TOLERANCE_M || skins >= SKINS {
+                return Finding::Wrong(off);
             }
         }
     }
@@ -49,8 +55,9 @@ pub fn common(a: &Soup, b: &Soup) -> ([f64; 3], [f64; 3]) {
     (std::array::from_fn(|k| a.0[k].max(b.0[k])), std::array::from_fn(|k| a.1[k].min(b.1[k])))
 }
 
-/// The longest stretch that is wrong along a line, 0 if none is; `None` where host or openings are open.
-fn off(host: &Soup, tools: &[Soup], left: &Soup, line: &Line) -> Option<f64> {
+/// The longest stretch that is wrong along a line, and whether there is a skin; `None` where host or openings are
+/// open.
+fn compare(host: &Soup, tools: &[Soup], left: &Soup, line: &Line) -> Option<(f64, bool)> {
     let whole = line.inside(host, true)?;
     let mut removed = Vec::new();
     for tool in tools {
@@ -58,7 +65,7 @@ fn off(host: &Soup, tools: &[Soup], left: &Soup, line: &Line) -> Option<f64> {
     }
     let right = without(&whole, &union(removed));
     // What was closed and is not any more is wrong.
-    let Some(left) = line.inside(left, true) else { return Some(f64::INFINITY) };
+    let Some(left) = line.inside(left, true) else { return Some((f64::INFINITY, false)) };
     let missing = without(&right, &left).into_iter().chain(without(&left, &right));
     let worst = missing.map(|s| s[1] - s[0]).fold(0.0, f64::max);
     let is_real = |s: &&[f64; 2]| s[1] - s[0] > NOTHING_M;
@@ -66,8 +73,7 @@ fn off(host: &Soup, tools: &[Soup], left: &Soup, line: &Line) -> Option<f64> {
         s[1] - s[0] < SKIN_M
             && !right.iter().filter(is_real).any(|r| r[0] < s[1] + TOLERANCE_M && r[1] > s[0] - TOLERANCE_M)
     };
-    let skin = left.iter().any(is_skin);
-    Some(if worst > TOLERANCE_M || skin { worst } else { 0.0 })
+    Some((worst, left.iter().any(is_skin)))
 }
 
 /// SplitMix64: the same lines every time.
@@ -101,12 +107,12 @@ mod tests {
     fn right_wrong_and_open() {
         let (host, tool) = (cuboid([0.0; 3], [4.0, 1.0, 3.0]), cuboid([1.0, -1.0, -1.0], [2.0, 2.0, 4.0]));
         let left = joined(&cuboid([0.0; 3], [1.0, 1.0, 3.0]), &cuboid([2.0, 0.0, 0.0], [4.0, 1.0, 3.0]));
-        assert_eq!(judge(&host, &[tool.clone()], &left, 1), Finding::Right);
-        assert!(matches!(judge(&host, &[tool.clone()], &host, 1), Finding::Wrong(_)));
+        assert_eq!(judge(&host, &[tool.clone()], &left, 40), Finding::Right);
+        assert!(matches!(judge(&host, &[tool.clone()], &host, 40), Finding::Wrong(_)));
         let skin = joined(&left, &cuboid([1.0, 0.0, 0.0], [2.0, 2e-5, 3.0]));
-        assert!(matches!(judge(&host, &[tool.clone()], &skin, 1), Finding::Wrong(_)));
+        assert!(matches!(judge(&host, &[tool.clone()], &skin, 40), Finding::Wrong(_)));
         let mut open = host.clone();
         open.triangles.truncate(6);
-        assert_eq!(judge(&open, &[tool], &left, 1), Finding::Open);
+        assert_eq!(judge(&open, &[tool], &left, 40), Finding::Open);
     }
 }

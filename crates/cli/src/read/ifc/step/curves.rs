@@ -1,9 +1,7 @@
-//! Curves that the geometry library reads otherwise than meant: polylines that are trimmed, and sweeps whose
-//! parameters 0…1 mean the whole of their line.
+//! Curves that the geometry library reads otherwise than meant: polylines that are trimmed, sweeps around corners.
 
 use super::document::{Document, Edits};
 use super::profiles::polyline;
-use super::record::Record;
 use super::value::Value;
 
 /// Nearer than this (of the line's length) a point lies on the line.
@@ -81,9 +79,10 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Sweeps along more than one segment with parameters 0…1: by the standard that is the first segment, but what
-/// writes it means the whole. `notes` tell it of the sweep's number.
-pub fn sweep_whole(document: &Document, edits: &mut Edits, notes: &mut Vec<(u64, String)>) {
+/// Sweeps along a line of more than one segment, told of the sweep's number: with parameters 0…1 the standard means
+/// the first segment, though many who write it mean the whole; and around the corners the geometry library turns the
+/// profile.
+pub fn doubt_sweeps(document: &Document, notes: &mut Vec<(u64, String)>) {
     // Kind, and where directrix and start parameter stand.
     let kinds = [
         ("IFCSURFACECURVESWEPTAREASOLID", 2, 3),
@@ -97,15 +96,20 @@ pub fn sweep_whole(document: &Document, edits: &mut Edits, notes: &mut Vec<(u64,
             let number = |i: usize| values.get(i).and_then(Value::number);
             let line = values.get(directrix).and_then(Value::reference);
             let segments = line.map_or(0, |id| segments(document, id));
-            if number(start) == Some(0.0) && number(start + 1) == Some(1.0) && segments > 1 {
-                untrim(document, record, start, edits);
-                notes.push((
-                    record.id,
-                    format!(
-                        "swept along all {segments} segments of its line, though its parameters 0…1 name the first only"
-                    ),
-                ));
-            }
+            let is_first = number(start) == Some(0.0) && number(start + 1) == Some(1.0);
+            let doubt = match (is_first, directrix) {
+                _ if segments < 2 => continue,
+                (true, _) => format!(
+                    "its sweep is trimmed to the first of {segments} segments, as its parameters 0…1 say; if the whole \
+                     is meant, leave the parameters out"
+                ),
+                // A disk has no direction that could turn.
+                (false, 0) => continue,
+                _ => {
+                    format!("its sweep goes around the corners of {segments} segments: its profile may come out turned")
+                }
+            };
+            notes.push((record.id, doubt));
         }
     }
 }
@@ -114,24 +118,16 @@ fn segments(document: &Document, line: u64) -> usize {
     points_of(document, line).map_or(0, |p| p.len() - 1)
 }
 
-/// Replaces the arguments number `start` and the next by nothing.
-fn untrim(document: &Document, record: &Record, start: usize, edits: &mut Edits) {
-    let pieces = document.argument_pieces(record);
-    for piece in pieces.iter().skip(start).take(2) {
-        edits.replace(piece.clone(), "$");
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn rewritten(text: &str) -> (String, usize) {
+    fn rewritten(text: &str) -> (String, Vec<String>) {
         let document = Document::new(text.as_bytes());
         let (mut edits, mut notes) = (Edits::default(), Vec::new());
         write_out_trimmed(&document, &mut document.free_numbers(), &mut edits);
-        sweep_whole(&document, &mut edits, &mut notes);
-        (String::from_utf8(edits.apply(text.as_bytes())).unwrap(), notes.len())
+        doubt_sweeps(&document, &mut notes);
+        (String::from_utf8(edits.apply(text.as_bytes())).unwrap(), notes.into_iter().map(|n| n.1).collect())
     }
 
     const LINE: &str = "#1=IFCCARTESIANPOINT((0.,0.));#2=IFCCARTESIANPOINT((5.,0.));#3=IFCCARTESIANPOINT((5.,5.));\
@@ -155,9 +151,8 @@ mod tests {
     #[test]
     fn parameters_of_a_sweep() {
         let sweep = |rest: &str| rewritten(&format!("{LINE}#9=IFCSURFACECURVESWEPTAREASOLID(#6,$,#4,{rest},#8);"));
-        let (text, notes) = sweep("0. /* a, b */,1.");
-        assert!(text.ends_with("#9=IFCSURFACECURVESWEPTAREASOLID(#6,$,#4,$,$,#8);") && notes == 1, "{text}");
-        assert_eq!(sweep("0.,2.").1, 0);
-        assert_eq!(sweep("$,$").1, 0);
+        assert!(sweep("0. /* a, b */,1.").1[0].contains("first of 2"));
+        assert!(sweep("$,$").1[0].contains("corners of 2"));
+        assert!(rewritten(&format!("{LINE}#9=IFCSWEPTDISKSOLID(#4,1.,$,$,$);")).1.is_empty());
     }
 }

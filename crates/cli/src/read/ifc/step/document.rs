@@ -33,11 +33,6 @@ impl<'a> Document<'a> {
         self.text[record.keyword.clone()].eq_ignore_ascii_case(keyword.as_bytes())
     }
 
-    pub fn keyword(&self, id: u64) -> String {
-        self.find(id)
-            .map_or(String::new(), |r| String::from_utf8_lossy(&self.text[r.keyword.clone()]).to_ascii_uppercase())
-    }
-
     /// All records of a kind.
     pub fn all<'s>(&'s self, keyword: &'s str) -> impl Iterator<Item = &'s Record> {
         self.records.iter().filter(move |r| self.is(r, keyword))

@@ -28,7 +28,7 @@ pub fn readable<'a>(text: Cow<'a, [u8]>, words: &mut Vec<String>) -> Cow<'a, [u8
         }
     }
     if texts > 0 {
-        words.push(format!("{texts} texts are neither ASCII nor UTF-8: read as Latin-1 (Windows-1252)"));
+        words.push(format!("texts that are neither ASCII nor UTF-8: {texts}; read as Latin-1 (Windows-1252)"));
     }
     Cow::Owned(edits.apply(&text))
 }

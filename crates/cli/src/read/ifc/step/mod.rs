@@ -68,7 +68,7 @@ fn edits(document: &Document, notes: &mut Vec<(u64, String)>) -> Edits {
     let mut free = document.free_numbers();
     profiles::write_out(document, &mut free, &mut edits);
     curves::write_out_trimmed(document, &mut free, &mut edits);
-    curves::sweep_whole(document, &mut edits, notes);
+    curves::doubt_sweeps(document, notes);
     // Legal in IFC2x3, where it is no abstract type yet; of the same three attributes.
     for record in document.all("IFCPRODUCTREPRESENTATION") {
         edits.replace(record.keyword.clone(), "IFCPRODUCTDEFINITIONSHAPE");
