@@ -11,7 +11,8 @@ use super::{Model, Product, assemble, worker};
 /// Meshes a text within this process.
 fn model(bytes: &[u8]) -> Result<Model, String> {
     let limits = Limits::default();
-    let within = worker::WorkerLimits { memory: 0, product_time: Duration::from_secs(60), product_memory: u64::MAX };
+    let within =
+        worker::WorkerLimits { memory: u64::MAX, product_time: Duration::from_secs(60), product_memory: u64::MAX };
     let mut told = Vec::new();
     worker::tell(bytes.to_vec(), &Task::default(), within, &mut told)?;
     let (mut progress, mut from) = (Progress::default(), &told[..]);
@@ -28,7 +29,7 @@ fn volume(p: &Product) -> f64 {
 /// A volume of one of the products, metres³, to so many parts of itself; or a word that must be said.
 type Right = (&'static str, &'static [f64], f64, &'static str);
 
-const FIELD: [Right; 21] = [
+const FIELD: [Right; 20] = [
     ("ifc_recess_with_window_axis_aligned_ok", &[3.95], 1e-3, ""),
     ("ifc_recess_with_window_rotated_half_degree", &[3.95], 1e-3, ""),
     ("ifc_bom", &[2.4], 1e-6, ""),
@@ -49,7 +50,6 @@ const FIELD: [Right; 21] = [
     ("ifc_dupguid", &[2.4, 2.4], 1e-6, ""),
     ("ifc_names_latin1", &[2.4], 1e-6, "Latin-1"),
     ("two_walls", &[0.625, 2.5], 1e-6, ""),
-    ("ifc_prof_zshape", &[0.0168], 1e-6, ""),
 ];
 
 #[test]

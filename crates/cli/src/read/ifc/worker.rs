@@ -41,7 +41,7 @@ pub fn answer(path: &Path, limits: WorkerLimits) -> Result<()> {
         std::process::exit(1);
     });
     let _ = set_report_sink(|_| {});
-    let _ = geometry_pool_builder().build_global();
+    let _ = geometry_pool_builder().num_threads(threads(limits.memory)).build_global();
     let mut out = std::io::BufWriter::with_capacity(1 << 18, stdout().lock());
     // A panic is told as what it is, product by product.
     let told = silence_panics(|| {
@@ -88,12 +88,19 @@ pub(super) fn tell(
     let skipped: HashSet<u32> = task.done.iter().chain(&task.alone).copied().collect();
     let rest: Vec<u32> = with_body.into_iter().filter(|id| !skipped.contains(id)).collect();
     let mut times = (Duration::ZERO, Duration::ZERO);
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    for (ids, threads) in [(task.alone.clone(), 1), (rest, cores)] {
+    for (ids, threads) in [(task.alone.clone(), 1), (rest, threads(limits.memory))] {
         let mut crew = Crew::new(&cutter, ids, limits);
         crew.run(threads, &notes, &mut times, out).map_err(|e| e.to_string())?;
     }
     Told::End { meshing: times.0, checks: times.1 }.write(out).map_err(|e| e.to_string())
+}
+
+/// As many as there are cores, but their deep stacks, twice as many with the library's own, count as memory: they
+/// may take a quarter of it.
+fn threads(memory: u64) -> usize {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let most = memory / (8 * GEOMETRY_STACK_BYTES as u64);
+    cores.min(usize::try_from(most).unwrap_or(usize::MAX)).max(1)
 }
 
 /// What a thread reports.
@@ -109,8 +116,8 @@ struct Crew {
     queue: Arc<Mutex<VecDeque<u32>>>,
     limits: WorkerLimits,
     reports: (Sender<Report>, Receiver<Report>),
-    /// Since when products are in work.
-    running: HashMap<u32, Instant>,
+    /// Since when products are in work, and how much memory the process held then.
+    running: HashMap<u32, (Instant, u64)>,
     left: usize,
     /// Products whose threads were given up.
     lost: HashSet<u32>,
@@ -139,7 +146,6 @@ impl Crew {
         for _ in 0..threads.min(self.left) {
             self.hire()?;
         }
-        let before = watch::resident();
         while self.left > 0 {
             match self.reports.1.recv_timeout(Duration::from_millis(20)) {
                 Ok(report) => self.take(report, notes, times, out)?,
@@ -147,7 +153,7 @@ impl Crew {
                 Err(RecvTimeoutError::Disconnected) => break,
             }
             self.give_up_slow(out)?;
-            if watch::resident().saturating_sub(before) > self.most_memory() {
+            if self.is_hungry() {
                 // Which of them takes it is not known from within; the parent sees who was in work.
                 out.flush()?;
                 std::process::exit(watch::TOO_MUCH_MEMORY);
@@ -156,8 +162,10 @@ impl Crew {
         Ok(())
     }
 
-    fn most_memory(&self) -> u64 {
-        self.limits.product_memory
+    /// Whether the process has grown by more than a product may take while one was in work.
+    fn is_hungry(&self) -> bool {
+        let now = watch::resident();
+        self.running.values().any(|(_, before)| now.saturating_sub(*before) > self.limits.product_memory)
     }
 
     fn take(
@@ -169,7 +177,7 @@ impl Crew {
     ) -> Result<()> {
         match report {
             Report::Begun(id) => {
-                self.running.insert(id, Instant::now());
+                self.running.insert(id, (Instant::now(), watch::resident()));
                 Told::Begun(id).write(out)
             }
             Report::Done(id, ..) if self.lost.contains(&id) => Ok(()),
@@ -193,7 +201,8 @@ impl Crew {
     /// Names products that take too long, and goes on without their threads.
     fn give_up_slow(&mut self, out: &mut impl Write) -> Result<()> {
         let limit = self.limits.product_time;
-        let slow: Vec<u32> = self.running.iter().filter(|(_, at)| at.elapsed() > limit).map(|(&id, _)| id).collect();
+        let slow: Vec<u32> =
+            self.running.iter().filter(|(_, (at, _))| at.elapsed() > limit).map(|(&id, _)| id).collect();
         for id in slow {
             self.running.remove(&id);
             self.lost.insert(id);
