@@ -97,7 +97,7 @@ struct Wall {
 impl Wall {
     /// 0 to 180 degrees, dense near the axes; 1 to 3 recesses, up to 3 windows, half of which overlap them.
     fn random(random: &mut Random) -> Self {
-        let mut from = |low: f64, high: f64| low + (high - low) * random.next();
+        let mut from = |low: f64, high: f64| low + (high - low) * random.number();
         let axis = [0.0, 90.0, 180.0][from(0.0, 2.999) as usize];
         let sign = from(-1.0, 1.0).signum();
         let degrees = match from(0.0, 1.0) {

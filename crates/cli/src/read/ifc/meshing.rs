@@ -184,6 +184,9 @@ fn site_placement(text: &[u8], decoder: &mut EntityDecoder, router: &GeometryRou
     None
 }
 
+/// How a note begins that is about nothing but the cut.
+pub const DIFFICULT: &str = "cut with difficulty";
+
 /// What the library could not do, in words.
 fn complaint(produced: &ProducedElementMeshes, decoder: &EntityDecoder, router: &GeometryRouter) -> Option<String> {
     let mut reasons = Vec::new();
@@ -200,7 +203,7 @@ fn complaint(produced: &ProducedElementMeshes, decoder: &EntityDecoder, router: 
     failures.sort();
     failures.dedup();
     if !failures.is_empty() {
-        reasons.push(format!("cut with difficulty: {}", failures.join(", ")));
+        reasons.push(format!("{DIFFICULT}: {}", failures.join(", ")));
     }
     if produced.degenerate_triangles_dropped > 0 {
         reasons.push(format!("{} degenerate triangles dropped", produced.degenerate_triangles_dropped));

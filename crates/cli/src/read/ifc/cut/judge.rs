@@ -33,8 +33,8 @@ pub fn judge(host: &Soup, tools: &[Soup], left: &Soup, lines: usize) -> Finding 
     for tool in tools {
         let (low, high) = common(host, tool);
         for _ in 0..lines {
-            let point = [0, 1, 2].map(|k| low[k] + (high[k] - low[k]) * random.next());
-            let direction = unit([0, 1, 2].map(|_| random.next() - 0.5));
+            let point = [0, 1, 2].map(|k| low[k] + (high[k] - low[k]) * random.number());
+            let direction = unit([0, 1, 2].map(|_| random.number() - 0.5));
             let Some((off, is_skin)) = compare(host, tools, left, &Line::new(point, direction)) else {
                 open += 1;
                 continue;
@@ -81,7 +81,7 @@ pub struct Random(pub u64);
 
 impl Random {
     /// From 0 to 1.
-    pub fn next(&mut self) -> f64 {
+    pub fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -112,7 +112,7 @@ mod tests {
         let skin = joined(&left, &cuboid([1.0, 0.0, 0.0], [2.0, 2e-5, 3.0]));
         assert!(matches!(judge(&host, &[tool.clone()], &skin, 40), Finding::Wrong(_)));
         let mut open = host.clone();
-        open.triangles.truncate(6);
+        open.triangles.drain(6..8);
         assert_eq!(judge(&open, &[tool], &left, 40), Finding::Open);
     }
 }

@@ -88,6 +88,9 @@ impl Cutter {
             Some(soup) => {
                 let is_gone = soup.triangles.is_empty();
                 let note = is_gone.then(|| "nothing is left of it: its openings cut it away entirely".to_owned());
+                // What the library found hard about its own cut is past; shapes that it lacks are lacking still.
+                let note =
+                    note.or_else(|| cut.meshed.note.take().filter(|n| !n.starts_with(super::meshing::DIFFICULT)));
                 (cut.meshed, cut.mended) = (Meshed { soup, note }, true);
             }
             None => cut.unproven = Some(doubt(off)),
