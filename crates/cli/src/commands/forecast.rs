@@ -1,7 +1,6 @@
 //! `asbuilt forecast`: what a planned survey would prove.
 
 use std::path::PathBuf;
-use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 use asbuilt_core::NEVER;
@@ -14,7 +13,6 @@ use serde_json::Value;
 use super::simulate::read_stations;
 use crate::forecast::next::{Unseen, best_place};
 use crate::forecast::room::Room;
-use crate::memory;
 use crate::output::{Format, Table, rounded, say, spinner};
 use crate::read::ifc;
 
@@ -121,7 +119,7 @@ fn model(args: &ForecastArgs) -> Result<EvidenceModel> {
 }
 
 fn objects(args: &ForecastArgs) -> Result<Vec<Object>> {
-    let read = ifc::read(&args.model, Duration::from_secs(300), memory::budget())?;
+    let read = ifc::read(&args.model, ifc::Limits::default())?;
     let mut out = Vec::new();
     for p in &read.products {
         let solid = p.solid().with_context(|| p.name.clone())?;

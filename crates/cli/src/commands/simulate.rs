@@ -1,14 +1,12 @@
 //! `asbuilt simulate`: laser scans of a model whose truth is known.
 
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::num::text::numbers;
 use asbuilt_simulate::{Changes, Drawn, Scanner, Scene, write_e57};
 
-use crate::memory;
 use crate::output::{count, progress, say, spinner};
 use crate::read::ifc::{self, Product};
 
@@ -67,7 +65,7 @@ pub fn run(args: &SimulateArgs) -> Result<()> {
     check_size(&scanner, stations.len())?;
     let changes = args.built.as_deref().map_or_else(|| Ok(Changes::default()), Changes::read)?;
     let bar = spinner(&format!("meshing {}", args.model.display()));
-    let model = ifc::read(&args.model, Duration::from_secs(300), memory::budget())?;
+    let model = ifc::read(&args.model, ifc::Limits::default())?;
     bar.finish_and_clear();
     let drawn = model.products.iter().map(drawn).collect::<Result<Vec<_>>>()?;
     let scene = Scene::new(&changes.build(&drawn)?);

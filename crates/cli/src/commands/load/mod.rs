@@ -69,6 +69,12 @@ pub struct LoadArgs {
     /// Give up meshing a model after this many seconds
     #[arg(long, default_value_t = 300, value_name = "S")]
     mesh_timeout: u64,
+    /// Give up meshing a single product after this many seconds; the others are loaded
+    #[arg(long, default_value_t = 20, value_name = "S", value_parser = clap::value_parser!(u64).range(1..))]
+    product_timeout: u64,
+    /// Most memory that meshing may take for a single product; the others are loaded
+    #[arg(long, default_value = "2GB", value_name = "SIZE", value_parser = memory::parse)]
+    product_memory: u64,
     /// Most memory that reading a file may take, e.g. 4GB [default: three quarters of the machine's]
     #[arg(long, value_name = "SIZE", value_parser = memory::parse)]
     max_memory: Option<u64>,

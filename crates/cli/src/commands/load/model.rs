@@ -1,5 +1,6 @@
 //! A building model into `building_object`.
 
+use std::collections::HashMap;
 use std::path::Path;
 use std::time::Duration;
 
@@ -19,7 +20,13 @@ use crate::read::ifc;
 
 pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -> Result<()> {
     let bar = spinner(&format!("meshing {}", file.display()));
-    let model = ifc::read(file, Duration::from_secs(args.mesh_timeout), args.max_memory())?;
+    let limits = ifc::Limits {
+        time: Duration::from_secs(args.mesh_timeout),
+        memory: args.max_memory(),
+        product_time: Duration::from_secs(args.product_timeout),
+        product_memory: args.product_memory,
+    };
+    let model = ifc::read(file, limits)?;
     bar.finish_and_clear();
     let source = source(file);
     let delete = names.sql("DELETE FROM @building_object WHERE source = $1::text");
@@ -29,20 +36,21 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
     }
     let columns = ["global_id", "ifc_class", "name", "storey", "loa", "solid", "properties", "source"];
     let mut copy = BinaryCopy::start(tx, &names.table("building_object"), &columns)?;
-    let (mut bounds, mut open, mut seen) = (Aabb::EMPTY, Vec::new(), std::collections::HashSet::new());
-    let (mut meshed, mut twice) = (0, 0);
+    let (mut bounds, mut open, mut seen) = (Aabb::EMPTY, Vec::new(), HashMap::new());
+    let (mut meshed, mut twice) = (0, Vec::new());
     for p in &model.products {
-        if !seen.insert(&p.global_id) {
-            twice += 1;
+        if let Some(first) = seen.insert(&p.global_id, p) {
+            twice.push(format!("{}: has the GlobalId {} of {}", p.shown(), p.global_id, first.shown()));
+            seen.insert(&p.global_id, first);
             continue;
         }
         let loa = level(p, args.loa)?;
-        let solid = p.solid().with_context(|| format!("{} {}", p.ifc_class, p.name))?;
+        let solid = p.solid().with_context(|| p.shown())?;
         if let Some(s) = &solid {
             meshed += 1;
             bounds = bounds.union(&s.bounds());
             if s.closedness() == Closedness::Open {
-                open.push(format!("{} {}", p.ifc_class, p.name));
+                open.push(p.shown());
             }
         }
         let solid = solid.map(|s| s.to_bytes(NEVER)).transpose()?;
@@ -59,7 +67,8 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
         ])?;
     }
     copy.finish()?;
-    report(&source, &model, meshed, twice, &open, &bounds);
+    report(&source, &model, meshed, &open, &bounds);
+    list("left out", &twice);
     Ok(())
 }
 
@@ -68,7 +77,7 @@ fn level(p: &ifc::Product, default: Loa) -> Result<Loa> {
     match &p.level_of_accuracy {
         None => Ok(default),
         Some(text) => Ok(Loa::parse(text).unwrap_or_else(|_| {
-            say!("warning: {} has LevelOfAccuracy \"{text}\", which is none; {} taken", p.name, default.name());
+            say!("warning: {} has LevelOfAccuracy \"{text}\", which is none; {} taken", p.shown(), default.name());
             default
         })),
     }
@@ -86,7 +95,7 @@ fn properties(p: &ifc::Product) -> Value {
     Value::Object(map)
 }
 
-fn report(source: &str, model: &ifc::Model, meshed: usize, twice: usize, open: &[String], bounds: &Aabb) {
+fn report(source: &str, model: &ifc::Model, meshed: usize, open: &[String], bounds: &Aabb) {
     let parts = model.products.iter().filter(|p| p.part_of.is_some()).count();
     say!(
         "{source}: {} products read, {meshed} meshed, {} open surfaces, {parts} parts of others, {} missing",
@@ -111,9 +120,16 @@ fn report(source: &str, model: &ifc::Model, meshed: usize, twice: usize, open: &
             model.rounded[0].0
         );
     }
-    if twice > 0 {
-        say!("  warning: {twice} products repeat another's GlobalId; the first of each was kept");
+    let noted: Vec<String> = model.noted.iter().map(|(name, note)| format!("{name}: {note}")).collect();
+    list("note", &noted);
+    if model.mended > 0 {
+        say!("  {} products whose openings came out wrong at first were cut once more, and checked", model.mended);
     }
+    if let Some((meshing, checks)) = model.times.filter(|(meshing, _)| !meshing.is_zero()) {
+        let share = 100.0 * checks.as_secs_f64() / meshing.as_secs_f64();
+        say!("  checks of the openings: {share:.0} % of the meshing's {:.1} s", meshing.as_secs_f64());
+    }
+    model.map_conversion.iter().for_each(|m| say!("  {}", m.shown()));
     model.warnings.iter().for_each(|w| say!("  warning: {w}"));
 }
 

@@ -1,25 +1,47 @@
 //! IFC: products with their meshes, read by a child process so that a file that hangs or kills the geometry
 //! kernel costs no more than an error.
+//!
+//! * [`step`]: the file's text, made what the geometry library can read;
+//! * [`attributes`], [`relations`]: products without their meshes;
+//! * [`meshing`], [`soup`], [`cut`]: a product's mesh, its openings cut and proven;
+//! * [`worker`], [`watch`], [`reach`]: the child's side, product by product;
+//! * [`told`]: what passes between both;
+//! * [`reader`], [`assemble`]: the parent's side;
+//! * [`table`]: a model as text.
 
-mod geometry;
+mod assemble;
+mod attributes;
+mod cut;
+#[cfg(test)]
+mod field_tests;
+mod meshing;
+mod reach;
+mod reader;
 mod relations;
+mod soup;
+mod step;
+mod table;
+mod told;
+mod watch;
+mod worker;
 
 use std::collections::BTreeMap;
-use std::io::{Read, Write};
-use std::path::Path;
-use std::process::{Child, Command};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use anyhow::{Context, Result, anyhow, bail};
+use anyhow::Result;
 use asbuilt_core::geometry::{Closedness, Solid, Vec3, orient};
 use serde::{Deserialize, Serialize};
 
-use super::child::{epitaph, spawn};
-use crate::memory;
+pub use reader::{Limits, read};
+pub use step::MapConversion;
+pub use table::print_table;
+pub use worker::{WorkerLimits, answer};
 
 /// A building object.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Product {
+    /// Its number in the file, as written there.
+    pub id: u64,
     pub global_id: String,
     pub ifc_class: String,
     pub name: String,
@@ -38,7 +60,7 @@ pub struct Product {
 }
 
 /// What an IFC file holds.
-#[derive(Debug, Default, Serialize, Deserialize)]
+#[derive(Debug, Default)]
 pub struct Model {
     pub products: Vec<Product>,
     /// Products with a body that could not be meshed: name and reason. They are among the products, without mesh.
@@ -47,13 +69,28 @@ pub struct Model {
     pub rounded: Vec<(String, f64)>,
     /// What is no building object (openings, spaces, grids), by class.
     pub left_out: BTreeMap<String, u64>,
+    /// Products that have a note: name and note.
+    pub noted: Vec<(String, String)>,
+    /// Products whose openings had to be cut once more, and came out right.
+    pub mended: usize,
+    pub map_conversion: Option<MapConversion>,
+    /// Time of meshing and of its checks, all threads together.
+    pub times: Option<(Duration, Duration)>,
+    /// What is to be said of the file as a whole.
     pub warnings: Vec<String>,
 }
 
-/// What the child sends: the model or why there is none.
-type Answer = std::result::Result<Model, String>;
-
 impl Product {
+    /// Class, name and number: enough to find it.
+    pub fn shown(&self) -> String {
+        let number = format!("#{}", self.id);
+        if self.name == number {
+            format!("{} {number}", self.ifc_class)
+        } else {
+            format!("{} {} ({number})", self.ifc_class, self.name)
+        }
+    }
+
     /// Its solid: as meshed, or re-oriented where that closes it; `None` without mesh.
     pub fn solid(&self) -> Result<Option<Solid>> {
         if self.triangles.is_empty() {
@@ -72,66 +109,4 @@ impl Product {
         }
         Ok(Some(solid))
     }
-}
-
-/// Meshes a file in a child process of this program, which may take so much memory, bytes.
-pub fn read(path: &Path, limit: Duration, max_memory: u64) -> Result<Model> {
-    std::fs::metadata(path).with_context(|| format!("{}: cannot open it", path.display()))?;
-    let mut command = Command::new(std::env::current_exe()?);
-    command.arg("mesh-ifc").arg(format!("--max-memory={max_memory}")).arg("--").arg(path);
-    // Settings of the geometry library from the user's environment would change the result.
-    for (name, _) in std::env::vars_os().filter(|(n, _)| n.to_string_lossy().starts_with("IFC_LITE_")) {
-        command.env_remove(name);
-    }
-    // Positions relative to each element's centre: in a projected system the library's single precision would lose
-    // centimetres.
-    command.env("IFC_LITE_LOCAL_FRAME", "1");
-    let (mut child, words) = spawn(command)?;
-    let answer = receive(&mut child, limit, max_memory);
-    let _ = child.kill();
-    let status = child.wait()?;
-    let bytes = answer.with_context(|| format!("{}", path.display()))?;
-    let model = match postcard::from_bytes::<Answer>(&bytes) {
-        Ok(answer) => answer.map_err(|reason| anyhow!(reason)),
-        Err(_) => Err(anyhow!(epitaph(status, &words.join().unwrap_or_default(), max_memory))),
-    };
-    model.with_context(|| format!("{}", path.display()))
-}
-
-/// Everything the child writes, within the time limit; more than a quarter of its memory would be too much for us too.
-fn receive(child: &mut Child, limit: Duration, max_memory: u64) -> Result<Vec<u8>> {
-    let mut pipe = child.stdout.take().context("no pipe to the meshing process")?.take(max_memory / 4);
-    let reader = std::thread::spawn(move || {
-        let mut bytes = Vec::new();
-        pipe.read_to_end(&mut bytes).map(|_| bytes)
-    });
-    let start = Instant::now();
-    while !reader.is_finished() {
-        if start.elapsed() > limit {
-            bail!("meshing took longer than {} s; raise --mesh-timeout, or repair the file", limit.as_secs());
-        }
-        std::thread::sleep(Duration::from_millis(10));
-    }
-    let bytes = reader.join().map_err(|_| anyhow!("the reader of the meshing process failed"))?;
-    let bytes = bytes.context("reading from the meshing process")?;
-    if bytes.len() as u64 == max_memory / 4 {
-        bail!("its meshes take more than a quarter of --max-memory {}", memory::shown(max_memory));
-    }
-    Ok(bytes)
-}
-
-/// The child's side: meshes the file and writes the answer to standard output.
-pub fn answer(path: &Path, max_memory: u64) -> Result<()> {
-    memory::limit(max_memory)?;
-    // The parent holds the other end of standard input: it ends with the parent, however that ends.
-    std::thread::spawn(|| {
-        let _ = std::io::copy(&mut std::io::stdin().lock(), &mut std::io::sink());
-        std::process::exit(1);
-    });
-    let answer: Answer = match std::fs::read(path) {
-        Ok(bytes) => geometry::read(&bytes),
-        Err(e) => Err(format!("cannot read it: {e}")),
-    };
-    std::io::stdout().lock().write_all(&postcard::to_stdvec(&answer)?)?;
-    Ok(())
 }

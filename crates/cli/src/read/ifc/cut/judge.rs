@@ -1,0 +1,118 @@
+//! Is a cut right? Along many lines through every opening, what is left of the host must be the host without its
+//! openings.
+
+use super::line::{Line, union, unit, without};
+use crate::read::ifc::soup::Soup;
+
+/// Shorter stretches are rounding, metres: the geometry library's grid of 1/65536 m, seen aslant.
+const TOLERANCE_M: f64 = 2e-3;
+/// A skin that closes an opening is thinner than any part of a building, metres.
+const SKIN_M: f64 = 1e-4;
+const NOTHING_M: f64 = 1e-6;
+/// A line may graze an edge; so many that find a skin do not.
+const SKINS: usize = 3;
+/// Lines through all openings of a host.
+const LINES_OF_HOST: usize = 480;
+
+/// What was found of a cut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Finding {
+    Right,
+    /// So much too little or too much along a line, metres.
+    Wrong(f64),
+    /// Host or openings are no closed solids.
+    Open,
+}
+
+/// Judges what is left of a host along so many lines through each of its openings, the `tools`.
+pub fn judge(host: &Soup, tools: &[Soup], left: &Soup, lines: usize) -> Finding {
+    // The same lines every time.
+    let mut random = Random(0x1FC);
+    let lines = (LINES_OF_HOST / tools.len().max(1)).clamp(4, lines);
+    let (mut judged, mut open, mut skins) = (0, 0, 0);
+    for tool in tools {
+        let (low, high) = common(host, tool);
+        for _ in 0..lines {
+            let point = [0, 1, 2].map(|k| low[k] + (high[k] - low[k]) * random.number());
+            let direction = unit([0, 1, 2].map(|_| random.number() - 0.5));
+            let Some((off, is_skin)) = compare(host, tools, left, &Line::new(point, direction)) else {
+                open += 1;
+                continue;
+            };
+            judged += 1;
+            skins += usize::from(is_skin);
+            if off > TOLERANCE_M || skins >= SKINS {
+                return Finding::Wrong(off);
+            }
+        }
+    }
+    if open > judged / 20 { Finding::Open } else { Finding::Right }
+}
+
+/// The box that two meshes have in common.
+pub fn common(a: &Soup, b: &Soup) -> ([f64; 3], [f64; 3]) {
+    let (a, b) = (a.bounds(), b.bounds());
+    (std::array::from_fn(|k| a.0[k].max(b.0[k])), std::array::from_fn(|k| a.1[k].min(b.1[k])))
+}
+
+/// The longest stretch that is wrong along a line, and whether there is a skin; `None` where host or openings are
+/// open.
+fn compare(host: &Soup, tools: &[Soup], left: &Soup, line: &Line) -> Option<(f64, bool)> {
+    let whole = line.inside(host, true)?;
+    let mut removed = Vec::new();
+    for tool in tools {
+        removed.extend(line.inside(tool, false)?);
+    }
+    let right = without(&whole, &union(removed));
+    // What was closed and is not any more is wrong.
+    let Some(left) = line.inside(left, true) else { return Some((f64::INFINITY, false)) };
+    let missing = without(&right, &left).into_iter().chain(without(&left, &right));
+    let worst = missing.map(|s| s[1] - s[0]).fold(0.0, f64::max);
+    let is_real = |s: &&[f64; 2]| s[1] - s[0] > NOTHING_M;
+    let is_skin = |s: &[f64; 2]| {
+        s[1] - s[0] < SKIN_M
+            && !right.iter().filter(is_real).any(|r| r[0] < s[1] + TOLERANCE_M && r[1] > s[0] - TOLERANCE_M)
+    };
+    Some((worst, left.iter().any(is_skin)))
+}
+
+/// SplitMix64: the same lines every time.
+pub struct Random(pub u64);
+
+impl Random {
+    /// From 0 to 1.
+    pub fn number(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::line::tests::cuboid;
+    use super::*;
+
+    fn joined(a: &Soup, b: &Soup) -> Soup {
+        let mut all = a.clone();
+        let first = a.vertices.len() as u32;
+        all.vertices.extend(&b.vertices);
+        all.triangles.extend(b.triangles.iter().map(|t| t.map(|i| i + first)));
+        all
+    }
+
+    #[test]
+    fn right_wrong_and_open() {
+        let (host, tool) = (cuboid([0.0; 3], [4.0, 1.0, 3.0]), cuboid([1.0, -1.0, -1.0], [2.0, 2.0, 4.0]));
+        let left = joined(&cuboid([0.0; 3], [1.0, 1.0, 3.0]), &cuboid([2.0, 0.0, 0.0], [4.0, 1.0, 3.0]));
+        assert_eq!(judge(&host, &[tool.clone()], &left, 40), Finding::Right);
+        assert!(matches!(judge(&host, &[tool.clone()], &host, 40), Finding::Wrong(_)));
+        let skin = joined(&left, &cuboid([1.0, 0.0, 0.0], [2.0, 2e-5, 3.0]));
+        assert!(matches!(judge(&host, &[tool.clone()], &skin, 40), Finding::Wrong(_)));
+        let mut open = host.clone();
+        open.triangles.drain(6..8);
+        assert_eq!(judge(&open, &[tool], &left, 40), Finding::Open);
+    }
+}

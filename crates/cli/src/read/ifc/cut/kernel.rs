@@ -1,0 +1,51 @@
+//! Openings cut by an independent kernel, `boolmesh`, after Manifold's method.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use boolmesh::prelude::{Manifold, OpType, compute_boolean};
+
+use crate::read::ifc::soup::Soup;
+
+/// What is left of the host; `None` where the kernel cannot.
+pub fn subtract(host: &Soup, tools: &[Soup]) -> Option<Soup> {
+    let zero = *host.vertices.first()?;
+    let work = || {
+        let mut left = manifold(host, zero)?;
+        for tool in tools {
+            left = compute_boolean(&left, &manifold(tool, zero)?, OpType::Subtract).ok()?;
+        }
+        Some(left)
+    };
+    let left = catch_unwind(AssertUnwindSafe(work)).ok()??;
+    let mut soup = Soup::default();
+    let ids: Vec<Option<u32>> =
+        left.ps.iter().map(|p| soup.vertex([p.x + zero[0], p.y + zero[1], p.z + zero[2]])).collect();
+    for face in left.hs.chunks_exact(3) {
+        let id = |i: usize| ids.get(face[i].tail).copied().flatten();
+        soup.triangle([id(0)?, id(1)?, id(2)?]);
+    }
+    Some(soup)
+}
+
+fn manifold(mesh: &Soup, zero: [f64; 3]) -> Option<Manifold> {
+    let is_inside_out = mesh.volume() < 0.0;
+    let positions: Vec<f64> = mesh.vertices.iter().flat_map(|v| [0, 1, 2].map(|k| v[k] - zero[k])).collect();
+    let corner = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|i| i as usize);
+        if is_inside_out { [a, c, b] } else { [a, b, c] }
+    };
+    let indices: Vec<usize> = mesh.triangles.iter().flat_map(corner).collect();
+    Manifold::new(&positions, &indices).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::line::tests::cuboid;
+    use super::*;
+
+    #[test]
+    fn a_hole() {
+        let left = subtract(&cuboid([0.0; 3], [4.0, 1.0, 3.0]), &[cuboid([1.0, -1.0, 1.0], [2.0, 2.0, 2.0])]).unwrap();
+        assert!((left.volume() - 11.0).abs() < 1e-6);
+    }
+}

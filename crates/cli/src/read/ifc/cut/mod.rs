@@ -1,0 +1,132 @@
+//! The openings of a product, cut and proven: the geometry library is wrong where recesses overlap windows. Every
+//! cut is judged; one that is wrong is made again, by whatever way gives one that is right: the grid of the faces'
+//! planes, an independent kernel, the library in a copy of the model turned by a generic angle. What cannot be proven
+//! is said.
+//!
+//! * [`grid`]: boxes cut out of boxes;
+//! * [`kernel`]: any closed solids, by another library;
+//! * [`line`]: where a line is inside a mesh;
+//! * [`judge`]: whether a cut is right;
+//! * [`turned`]: the model in another direction.
+
+mod grid;
+mod judge;
+mod kernel;
+mod line;
+#[cfg(test)]
+pub mod tests_random {
+    pub use super::judge::Random;
+}
+mod turned;
+
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
+
+use judge::{Finding, common, judge};
+
+use super::meshing::{Meshed, Meshing, Warm};
+use super::soup::Soup;
+
+/// Volumes that differ by less are the same.
+const SAME_VOLUME: f64 = 3e-4;
+/// Lines through an opening that are to prove a cut.
+const LINES: usize = 48;
+/// Generic angles, degrees: far from the axes, from their diagonals and from each other.
+const TURNS: [f64; 3] = [33.71, 61.29, 17.93];
+
+/// A model with its turned copies, which are made when they are needed.
+pub struct Cutter {
+    upright: Meshing,
+    text: &'static [u8],
+    radians: Option<f64>,
+    turned: [OnceLock<Option<Meshing>>; 3],
+}
+
+/// A product with its openings cut, and what it took.
+pub struct Cut {
+    pub meshed: Meshed,
+    /// Time the check took.
+    pub check: Duration,
+    /// Why its cut is not proven.
+    pub unproven: Option<String>,
+    /// It was cut once more.
+    pub mended: bool,
+}
+
+impl Cutter {
+    pub fn new(upright: Meshing, text: &'static [u8], radians: Option<f64>) -> Self {
+        Self { upright, text, radians, turned: Default::default() }
+    }
+
+    pub fn mesh(&self, id: u32, warm: &mut Warm) -> Cut {
+        let mut cut = Cut { meshed: self.upright.mesh(id, warm), check: Duration::ZERO, unproven: None, mended: false };
+        if self.upright.openings(id).is_empty() || cut.meshed.soup.triangles.is_empty() {
+            return cut;
+        }
+        let start = Instant::now();
+        if let Some((host, tools)) = self.operands(id, warm).filter(|(_, tools)| !tools.is_empty()) {
+            self.prove(id, &host, &tools, &mut cut);
+        }
+        cut.check = start.elapsed();
+        cut
+    }
+
+    /// Checks the library's cut; where it is wrong, the first of the other ways that is right stands.
+    fn prove(&self, id: u32, host: &Soup, tools: &[Soup], cut: &mut Cut) {
+        let grid = grid::cut(host, tools);
+        let is_near = |volume: f64| (cut.meshed.soup.volume() - volume).abs() <= SAME_VOLUME * volume;
+        let (finding, exact) = match grid {
+            Some(grid) if !is_near(grid.volume) => (Finding::Wrong(0.0), Some(grid.soup)),
+            // Their volumes are the same: few lines suffice.
+            Some(grid) => (judge(host, tools, &cut.meshed.soup, 4), Some(grid.soup)),
+            None => (judge(host, tools, &cut.meshed.soup, LINES), None),
+        };
+        let Finding::Wrong(off) = finding else { return };
+        let is_right = |left: &Soup| judge(host, tools, left, LINES) == Finding::Right;
+        let exact = exact.filter(is_right).or_else(|| kernel::subtract(host, tools).filter(is_right));
+        match exact.or_else(|| self.again(id, is_right)) {
+            Some(soup) => {
+                let is_gone = soup.triangles.is_empty();
+                let note = is_gone.then(|| "nothing is left of it: its openings cut it away entirely".to_owned());
+                // What the library found hard about its own cut is past; shapes that it lacks are lacking still.
+                let note =
+                    note.or_else(|| cut.meshed.note.take().filter(|n| !n.starts_with(super::meshing::DIFFICULT)));
+                (cut.meshed, cut.mended) = (Meshed { soup, note }, true);
+            }
+            None => cut.unproven = Some(doubt(off)),
+        }
+    }
+
+    /// The product uncut, and those of its openings that reach it.
+    fn operands(&self, id: u32, warm: &mut Warm) -> Option<(Soup, Vec<Soup>)> {
+        let host = self.upright.uncut(id, warm)?;
+        let tools = self.upright.openings(id).iter().filter_map(|&opening| self.upright.uncut(opening, warm));
+        let reaches = |tool: &Soup| {
+            let (low, high) = common(&host, tool);
+            (0..3).all(|k| high[k] > low[k])
+        };
+        let tools = tools.filter(reaches).collect();
+        Some((host, tools))
+    }
+
+    /// The first cut in a turned model that is right.
+    fn again(&self, id: u32, is_right: impl Fn(&Soup) -> bool) -> Option<Soup> {
+        self.turned.iter().zip(TURNS).find_map(|(cell, turn)| {
+            let meshing = cell.get_or_init(|| turned::model(self.text, turn, self.radians)).as_ref()?;
+            let mut soup = meshing.mesh(id, &mut Warm::default()).soup;
+            turned::back(&mut soup, turn);
+            is_right(&soup).then_some(soup)
+        })
+    }
+}
+
+fn doubt(off: f64) -> String {
+    if off.is_finite() {
+        format!(
+            "its openings could not be cut as they are drawn: {off:.3} m too much or too little on a line through \
+             them; do not trust its openings, or repair the model"
+        )
+    } else {
+        "its openings could not be cut: what is left has holes; do not trust its openings, or repair the model".into()
+    }
+}

@@ -1,0 +1,212 @@
+//! Meshes of single products, through the `ifc-lite` crates: the only place that knows their geometry.
+
+use std::sync::Arc;
+
+use ifc_lite_core::{EntityDecoder, EntityIndex, EntityScanner, UnitScales, keyword_eq};
+use ifc_lite_geometry::{
+    GeometryRouter, ItemDedupCache, Mesh, RouterConfig, SharedBrepSignatureCache, SharedMappedItemCache,
+    TessellationQuality, format_unsupported_breakdown, void_index_from_content,
+};
+use ifc_lite_processing::MeshFrame;
+use ifc_lite_processing::element::{
+    ElementJobKind, ElementMeshJob, MeshProductionContext, MeshProductionOptions, ProducedElementMeshes,
+    produce_element_meshes,
+};
+use ifc_lite_processing::execution::{RouterCaches, SchedulerPolicy, build_router};
+use rustc_hash::FxHashMap;
+
+use super::soup::Soup;
+
+/// A model ready to be meshed, product by product, by as many threads as there are.
+pub struct Meshing {
+    text: &'static [u8],
+    index: Arc<EntityIndex>,
+    /// Openings of a host, its whole's included.
+    openings: FxHashMap<u32, Vec<u32>>,
+    /// Metres and radians of the file's units.
+    metres: f64,
+    radians: f64,
+    /// World metres of the zero that positions are relative to.
+    zero: [f64; 3],
+    caches: Caches,
+}
+
+struct Caches {
+    items: ItemDedupCache,
+    breps: SharedBrepSignatureCache,
+    mapped: SharedMappedItemCache,
+}
+
+/// What a thread keeps from product to product.
+#[derive(Default)]
+pub struct Warm {
+    points: FxHashMap<u32, (f64, f64, f64)>,
+    placements: FxHashMap<u32, [f64; 16]>,
+}
+
+/// What came of a product.
+pub struct Meshed {
+    /// World metres.
+    pub soup: Soup,
+    /// What the library had to say about it.
+    pub note: Option<String>,
+}
+
+impl Meshing {
+    pub fn new(text: &'static [u8], index: Arc<EntityIndex>, radians: Option<f64>) -> Result<Self, String> {
+        let mut decoder = EntityDecoder::with_arc_index(text, index.clone()).with_strict_reals();
+        let units = UnitScales::resolve(text, None, &mut decoder);
+        if let Some(unit) = units.length_unit_refused {
+            return Err(format!("its unit of length (#{unit}) is unknown: name metres, millimetres, feet or the like"));
+        }
+        let (metres, radians) = (units.geometry_length_scale(), radians.unwrap_or(units.plane_angle_to_radians));
+        decoder.seed_unit_scales(metres, radians);
+        let router = GeometryRouter::from_config(RouterConfig { unit_scale: metres, ..RouterConfig::default() });
+        let site = site_placement(text, &mut decoder, &router);
+        let frame = MeshFrame::select(
+            site.as_ref().map(<[f64; 16]>::as_slice),
+            router.detect_rtc_offset_for_file(text, &mut decoder),
+        );
+        let openings = void_index_from_content(text, &mut decoder);
+        Ok(Self {
+            text,
+            index,
+            openings,
+            metres,
+            radians,
+            zero: frame.rtc_offset().into(),
+            caches: Caches {
+                items: GeometryRouter::new_dedup_cache(),
+                breps: GeometryRouter::new_brep_signature_cache(),
+                mapped: GeometryRouter::new_mapped_item_cache(),
+            },
+        })
+    }
+
+    pub fn openings(&self, id: u32) -> &[u32] {
+        self.openings.get(&id).map_or(&[], Vec::as_slice)
+    }
+
+    /// Meshes a product with its openings cut out.
+    pub fn mesh(&self, id: u32, warm: &mut Warm) -> Meshed {
+        let mut decoder = self.decoder(warm);
+        let router = self.router();
+        let meshed = self.produce(id, &mut decoder, &router);
+        warm.points = decoder.take_point_cache();
+        warm.placements = decoder.take_placement_transform_cache();
+        meshed
+    }
+
+    /// The product, or an opening, as it is without any cut.
+    pub fn uncut(&self, id: u32, warm: &mut Warm) -> Option<Soup> {
+        let mut decoder = self.decoder(warm);
+        let router = self.router();
+        let parts = decoder.decode_by_id(id).ok().and_then(|e| router.process_element_parts(&e, &mut decoder).ok());
+        warm.points = decoder.take_point_cache();
+        warm.placements = decoder.take_placement_transform_cache();
+        let mut soup = Soup::default();
+        for Mesh { positions, indices, origin, .. } in parts?.iter().map(|m| m as &Mesh) {
+            soup.add(positions, indices, |p| self.world(p, *origin));
+        }
+        Some(soup)
+    }
+
+    fn world(&self, position: [f64; 3], origin: [f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|k| position[k] + origin[k] + self.zero[k])
+    }
+
+    fn decoder(&self, warm: &mut Warm) -> EntityDecoder<'static> {
+        let mut decoder = EntityDecoder::with_arc_index(self.text, self.index.clone()).with_strict_reals();
+        decoder.set_point_cache(std::mem::take(&mut warm.points));
+        decoder.set_placement_transform_cache(std::mem::take(&mut warm.placements));
+        decoder.seed_unit_scales(self.metres, self.radians);
+        decoder
+    }
+
+    fn router(&self) -> GeometryRouter {
+        let config = RouterConfig {
+            unit_scale: self.metres,
+            tessellation_quality: TessellationQuality::Medium,
+            rtc_offset: self.zero.into(),
+            // Positions relative to each element's centre: in a projected system the library's single precision
+            // would lose centimetres.
+            local_frame: Some(true),
+            ..RouterConfig::default()
+        };
+        let caches = RouterCaches {
+            items: self.caches.items.clone(),
+            brep_signatures: self.caches.breps.clone(),
+            mapped_items: self.caches.mapped.clone(),
+        };
+        build_router(config, SchedulerPolicy::PerJob, caches, None, None, None)
+    }
+
+    fn produce(&self, id: u32, decoder: &mut EntityDecoder<'static>, router: &GeometryRouter) -> Meshed {
+        let Ok(entity) = decoder.decode_by_id(id) else {
+            return Meshed { soup: Soup::default(), note: Some("its record cannot be read".into()) };
+        };
+        let (no_styles, no_palettes, no_colours, no_textures) = Default::default();
+        let context = MeshProductionContext {
+            void_index: &self.openings,
+            geometry_style_index: &no_styles,
+            indexed_colour_full: &no_palettes,
+            element_material_colors: &no_colours,
+            texture_index: &no_textures,
+            site_local_rotation: None,
+        };
+        let job = ElementMeshJob {
+            id,
+            ifc_type: entity.ifc_type.clone(),
+            entity: &entity,
+            kind: ElementJobKind::Product,
+            element_color: None,
+            metadata: None,
+        };
+        let produced = produce_element_meshes(&job, &context, &MeshProductionOptions::default(), decoder, router);
+        let note = complaint(&produced, decoder, router);
+        let mut soup = Soup::default();
+        for mesh in produced.meshes.iter().filter(|m| m.geometry_class == 0) {
+            soup.add(&mesh.positions, &mesh.indices, |p| self.world(p, mesh.origin));
+        }
+        Meshed { soup, note }
+    }
+}
+
+/// Where the first site lies, metres, in columns.
+fn site_placement(text: &[u8], decoder: &mut EntityDecoder, router: &GeometryRouter) -> Option<[f64; 16]> {
+    let mut scanner = EntityScanner::new(text);
+    while let Some((_, keyword, start, end)) = scanner.next_entity() {
+        if keyword_eq(keyword, "IFCSITE") {
+            let site = decoder.decode_at(start, end).ok()?;
+            return router.resolve_scaled_placement(&site, decoder).ok();
+        }
+    }
+    None
+}
+
+/// How a note begins that is about nothing but the cut.
+pub const DIFFICULT: &str = "cut with difficulty";
+
+/// What the library could not do, in words.
+fn complaint(produced: &ProducedElementMeshes, decoder: &EntityDecoder, router: &GeometryRouter) -> Option<String> {
+    let mut reasons = Vec::new();
+    let unsupported = router.take_unsupported_items();
+    if !unsupported.is_empty() {
+        reasons.push(format!("shapes that are not supported: {}", format_unsupported_breakdown(&unsupported)));
+    }
+    let refused: Vec<String> = decoder.refused_record_ids().into_iter().take(5).map(|id| format!("#{id}")).collect();
+    if !refused.is_empty() {
+        reasons.push(format!("impossible numbers in {}", refused.join(", ")));
+    }
+    let failures = produced.csg_failures.values().flatten().map(|f| format!("{} ({:?})", f.reason.label(), f.op));
+    let mut failures: Vec<String> = failures.collect();
+    failures.sort();
+    failures.dedup();
+    if !failures.is_empty() {
+        reasons.push(format!("{DIFFICULT}: {}", failures.join(", ")));
+    }
+    if produced.degenerate_triangles_dropped > 0 {
+        reasons.push(format!("{} degenerate triangles dropped", produced.degenerate_triangles_dropped));
+    }
+    (!reasons.is_empty()).then(|| reasons.join("; "))
+}

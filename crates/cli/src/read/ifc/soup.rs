@@ -1,0 +1,73 @@
+//! Triangles with vertices at the same place as one.
+
+use std::collections::HashMap;
+
+use serde::{Deserialize, Serialize};
+
+/// A mesh, world metres.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub struct Soup {
+    pub vertices: Vec<[f64; 3]>,
+    pub triangles: Vec<[u32; 3]>,
+    #[serde(skip)]
+    known: HashMap<[u64; 3], u32>,
+}
+
+impl Soup {
+    /// Adds triangles whose vertices `place` puts into the world; what is not finite or has no area is left out.
+    pub fn add(&mut self, positions: &[f32], indices: &[u32], place: impl Fn([f64; 3]) -> [f64; 3]) {
+        let ids: Vec<Option<u32>> =
+            positions.chunks_exact(3).map(|p| self.vertex(place([p[0], p[1], p[2]].map(f64::from)))).collect();
+        for t in indices.chunks_exact(3) {
+            let id = |i: usize| ids.get(t[i] as usize).copied().flatten();
+            if let (Some(a), Some(b), Some(c)) = (id(0), id(1), id(2)) {
+                self.triangle([a, b, c]);
+            }
+        }
+    }
+
+    pub fn vertex(&mut self, world: [f64; 3]) -> Option<u32> {
+        let next = self.vertices.len() as u32;
+        world.iter().all(|c| c.is_finite()).then(|| {
+            *self.known.entry(world.map(|c| (c + 0.0).to_bits())).or_insert_with(|| {
+                self.vertices.push(world);
+                next
+            })
+        })
+    }
+
+    pub fn triangle(&mut self, [a, b, c]: [u32; 3]) {
+        if a != b && b != c && c != a {
+            self.triangles.push([a, b, c]);
+        }
+    }
+
+    pub fn corners(&self, triangle: usize) -> [[f64; 3]; 3] {
+        self.triangles[triangle].map(|i| self.vertices[i as usize])
+    }
+
+    /// Across a triangle, outwards; twice its area long.
+    pub fn normal(&self, triangle: usize) -> [f64; 3] {
+        let [a, b, c] = self.corners(triangle);
+        let (u, v) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
+        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+    }
+
+    /// The box around it; empty ones turn inside out.
+    pub fn bounds(&self) -> ([f64; 3], [f64; 3]) {
+        let start = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        self.vertices.iter().fold(start, |(low, high), v| {
+            (std::array::from_fn(|k| low[k].min(v[k])), std::array::from_fn(|k| high[k].max(v[k])))
+        })
+    }
+
+    /// By the divergence theorem; of a mesh that is not closed it says nothing.
+    pub fn volume(&self) -> f64 {
+        let Some(&o) = self.vertices.first() else { return 0.0 };
+        let six = (0..self.triangles.len()).map(|t| {
+            let [a, b, c] = self.corners(t).map(|p| [p[0] - o[0], p[1] - o[1], p[2] - o[2]]);
+            a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+        });
+        six.sum::<f64>() / 6.0
+    }
+}

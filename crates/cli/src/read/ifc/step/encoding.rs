@@ -1,0 +1,71 @@
+//! Names in other encodings than the standard's: bytes that are no UTF-8 are read as Latin-1 (Windows-1252).
+
+use std::borrow::Cow;
+
+use super::document::Edits;
+use super::record::{comment_end, string_end};
+
+/// Every byte that is no UTF-8 becomes the standard's own way to write it; `words` say how many texts there were.
+pub fn readable<'a>(text: Cow<'a, [u8]>, words: &mut Vec<String>) -> Cow<'a, [u8]> {
+    if std::str::from_utf8(&text).is_ok() {
+        return text;
+    }
+    let (mut edits, mut texts, mut at) = (Edits::default(), 0, 0);
+    while let Some(&b) = text.get(at) {
+        let (piece, is_string) = match b {
+            b'\'' => (at..string_end(&text, at), true),
+            b'/' if text.get(at + 1) == Some(&b'*') => (at..comment_end(&text, at), false),
+            _ => (at..at + 1, false),
+        };
+        at = piece.end;
+        if piece.len() > 1 || b >= 0x80 {
+            let bytes = &text[piece.clone()];
+            if std::str::from_utf8(bytes).is_err() {
+                texts += usize::from(is_string);
+                let by = if is_string { escaped(bytes) } else { vec![b' '] };
+                edits.replace(piece, by);
+            }
+        }
+    }
+    if texts > 0 {
+        words.push(format!("texts that are neither ASCII nor UTF-8: {texts}; read as Latin-1 (Windows-1252)"));
+    }
+    Cow::Owned(edits.apply(&text))
+}
+
+/// `ä` as `\X2\00E4\X0\`.
+fn escaped(bytes: &[u8]) -> Vec<u8> {
+    let mut out = Vec::with_capacity(bytes.len() + 16);
+    for &b in bytes {
+        if b < 0x80 {
+            out.push(b);
+        } else {
+            out.extend(format!("\\X2\\{:04X}\\X0\\", windows_1252(b)).bytes());
+        }
+    }
+    out
+}
+
+fn windows_1252(b: u8) -> u16 {
+    const HIGH: [u16; 32] = [
+        0x20AC, 0x81, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,
+        0x017D, 0x8F, 0x90, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A,
+        0x0153, 0x9D, 0x017E, 0x0178,
+    ];
+    HIGH.get(usize::from(b).wrapping_sub(0x80)).copied().unwrap_or_else(|| u16::from(b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn latin1_is_escaped_and_utf8_left() {
+        let mut words = Vec::new();
+        let seen = readable(Cow::Borrowed(b"#1=A('W\xE4nde \x80');#2=B('W\xC3\xA4nde');/* \xFF */"), &mut words);
+        let right = b"#1=A('W\\X2\\00E4\\X0\\nde \\X2\\20AC\\X0\\');#2=B('W\xC3\xA4nde'); ";
+        assert_eq!(seen, &right[..]);
+        assert_eq!(words.len(), 1);
+        assert!(matches!(readable(Cow::Borrowed(b"'W\xC3\xA4nde'"), &mut words), Cow::Borrowed(_)));
+    }
+}

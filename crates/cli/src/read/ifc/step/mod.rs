@@ -1,0 +1,77 @@
+//! The text of a STEP file, as the field writes it, made what the geometry library can read:
+//!
+//! * [`envelope`]: what stands around it; UTF-16;
+//! * [`encoding`]: names that are no UTF-8;
+//! * [`numbers`]: numbers of records beyond 32 bits;
+//! * [`profiles`], [`curves`]: shapes that the library lacks or reads otherwise than meant;
+//! * [`turn`]: a model turned as a whole;
+//! * [`units`], [`map_conversion`]: what is read of it beside the geometry;
+//! * [`record`], [`value`], [`document`]: the text, record by record.
+
+mod curves;
+mod document;
+mod encoding;
+mod envelope;
+mod map_conversion;
+mod numbers;
+mod profiles;
+mod record;
+mod turn;
+mod units;
+mod value;
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use document::{Document, Edits};
+pub use map_conversion::MapConversion;
+pub use turn::turned_text;
+pub use value::references;
+
+/// A file as the geometry library reads it.
+pub struct Step<'a> {
+    pub text: Cow<'a, [u8]>,
+    /// What the user should know.
+    pub words: Vec<String>,
+    /// The same about single records, by their numbers.
+    pub notes: Vec<(u64, String)>,
+    /// Numbers in the file of records that have others here.
+    pub original: HashMap<u64, u64>,
+    /// Radians of the unit of angles, where it is not the one that the file tells.
+    pub angle: Option<f64>,
+    pub map_conversion: Option<MapConversion>,
+}
+
+impl<'a> Step<'a> {
+    pub fn read(bytes: &'a [u8]) -> Result<Self, String> {
+        let (mut words, mut notes, mut original) = (Vec::new(), Vec::new(), HashMap::new());
+        let text = encoding::readable(envelope::open(bytes, &mut words)?, &mut words);
+        let text = numbers::within_reach(text, &mut original);
+        let document = Document::new(&text);
+        let mended = units::mended_angle(&document);
+        let angle = mended.as_ref().map(|m| m.0);
+        words.extend(mended.map(|m| m.1));
+        let map_conversion = MapConversion::read(&document);
+        let edits = edits(&document, &mut notes);
+        let text = if edits.is_empty() { text } else { Cow::Owned(edits.apply(&text)) };
+        Ok(Self { text, words, notes, original, angle, map_conversion })
+    }
+
+    /// A record's number in the file.
+    pub fn shown(&self, id: u32) -> u64 {
+        self.original.get(&u64::from(id)).copied().unwrap_or(u64::from(id))
+    }
+}
+
+fn edits(document: &Document, notes: &mut Vec<(u64, String)>) -> Edits {
+    let mut edits = Edits::default();
+    let mut free = document.free_numbers();
+    profiles::write_out(document, &mut free, &mut edits);
+    curves::write_out_trimmed(document, &mut free, &mut edits);
+    curves::doubt_sweeps(document, notes);
+    // Legal in IFC2x3, where it is no abstract type yet; of the same three attributes.
+    for record in document.all("IFCPRODUCTREPRESENTATION") {
+        edits.replace(record.keyword.clone(), "IFCPRODUCTDEFINITIONSHAPE");
+    }
+    edits
+}

@@ -1,0 +1,46 @@
+//! Numbers of records beyond 32 bits, which the geometry library cannot count.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+use super::document::{Document, Edits, MAX_NUMBER};
+use super::value::references;
+
+/// Gives records beyond the library's numbers free ones; `original` holds what each was.
+pub fn within_reach<'a>(text: Cow<'a, [u8]>, original: &mut HashMap<u64, u64>) -> Cow<'a, [u8]> {
+    let document = Document::new(&text);
+    if document.records().last().is_none_or(|r| r.id <= MAX_NUMBER) {
+        return text;
+    }
+    let mut free = document.free_numbers();
+    let mut small: HashMap<u64, u64> = HashMap::new();
+    for record in document.records().iter().filter(|r| r.id > MAX_NUMBER) {
+        small.entry(record.id).or_insert_with(|| free.next().unwrap_or(MAX_NUMBER));
+    }
+    let mut edits = Edits::default();
+    references(&text, 0, |piece, id| {
+        if let Some(new) = small.get(&id) {
+            edits.replace(piece, format!("#{new}"));
+        } else if id > MAX_NUMBER {
+            // It refers to nothing, and must not be taken for another.
+            edits.replace(piece, "$");
+        }
+    });
+    original.extend(small.into_iter().map(|(big, new)| (new, big)));
+    Cow::Owned(edits.apply(&text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn big_numbers_become_free_ones_wherever_they_stand() {
+        let mut original = HashMap::new();
+        let text = b"#21=W('#5000000001',#5000000001);#5000000001=W(#21,#4294967317,#6000000000);#4294967317=X();";
+        let seen = within_reach(Cow::Borrowed(text), &mut original).into_owned();
+        let seen = String::from_utf8(seen).unwrap();
+        assert_eq!(seen, "#21=W('#5000000001',#23);#23=W(#21,#22,$);#22=X();");
+        assert_eq!(original, HashMap::from([(22, 4294967317), (23, 5000000001)]));
+    }
+}

@@ -1,0 +1,96 @@
+//! What the meshing process tells, piece by piece: what was told is safe, however the process ends.
+
+use std::collections::{BTreeMap, HashMap};
+use std::io::{Read, Write};
+use std::time::Duration;
+
+use anyhow::{Context, Result};
+use serde::{Deserialize, Serialize};
+
+use super::Product;
+use super::soup::Soup;
+use super::step::MapConversion;
+
+/// A product without its mesh.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Draft {
+    pub product: Product,
+    pub has_body: bool,
+    pub is_element: bool,
+}
+
+pub type Drafts = BTreeMap<u32, Draft>;
+
+/// The file before any mesh.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub struct Header {
+    pub drafts: Drafts,
+    pub whole_of: HashMap<u32, u32>,
+    pub left_out: BTreeMap<String, u64>,
+    pub words: Vec<String>,
+    pub map_conversion: Option<MapConversion>,
+}
+
+/// What came of a product.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub struct Outcome {
+    pub soup: Soup,
+    pub note: Option<String>,
+    /// Why the cut of its openings is not proven.
+    pub unproven: Option<String>,
+    /// Its openings had to be cut once more.
+    pub mended: bool,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+pub enum Told {
+    Header(Box<Header>),
+    /// A product is being meshed.
+    Begun(u32),
+    Meshed(u32, Outcome),
+    /// A product has no mesh, and why.
+    Failed(u32, String),
+    /// All of it is told; the time of meshing and of its checks, all threads together.
+    End {
+        meshing: Duration,
+        checks: Duration,
+    },
+    /// The file cannot be read.
+    Refused(String),
+}
+
+impl Told {
+    pub fn write(&self, out: &mut impl Write) -> Result<()> {
+        let bytes = postcard::to_stdvec(self)?;
+        out.write_all(&(bytes.len() as u64).to_be_bytes())?;
+        out.write_all(&bytes)?;
+        Ok(out.flush()?)
+    }
+
+    /// The next piece, of at most so many bytes; `None` where the process has ended.
+    pub fn read(from: &mut impl Read, most: u64) -> Result<Option<Self>> {
+        let mut length = [0; 8];
+        if from.read_exact(&mut length).is_err() {
+            return Ok(None);
+        }
+        let length = u64::from_be_bytes(length);
+        anyhow::ensure!(length <= most, "a product's mesh of {} MB is more than fits", length >> 20);
+        let mut bytes = Vec::new();
+        let got = from.take(length).read_to_end(&mut bytes)?;
+        if got as u64 != length {
+            return Ok(None);
+        }
+        postcard::from_bytes(&bytes).map(Some).context("the meshing process said something that nobody understands")
+    }
+}
+
+/// What the process is to do, told on its standard input as one line.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub struct Task {
+    /// Products that are done.
+    pub done: Vec<u32>,
+    /// Products that are to be meshed first and each alone: a process has died of one of them.
+    pub alone: Vec<u32>,
+    /// The header was told already.
+    pub has_header: bool,
+}
