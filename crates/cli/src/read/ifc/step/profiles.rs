@@ -7,6 +7,9 @@ use super::value::Value;
 /// A point of a profile, in the file's unit.
 type Point = [f64; 2];
 
+/// Draws a profile by its numbers.
+type Outline = fn(&[f64]) -> Option<Vec<Point>>;
+
 /// Corners of an ellipse: its area comes out 0.04 % short.
 const ELLIPSE_CORNERS: usize = 128;
 /// Steps of a rounded corner.
@@ -14,7 +17,7 @@ const FILLET_STEPS: usize = 6;
 
 /// Writes out the ellipses, trapezia and Z shapes.
 pub fn write_out(document: &Document, free: &mut dyn Iterator<Item = u64>, edits: &mut Edits) {
-    let kinds: [(&str, fn(&[f64]) -> Option<Vec<Point>>); 3] = [
+    let kinds: [(&str, Outline); 3] = [
         ("IFCELLIPSEPROFILEDEF", |n| ellipse(n.first_chunk()?)),
         ("IFCTRAPEZIUMPROFILEDEF", |n| trapezium(n.first_chunk()?)),
         ("IFCZSHAPEPROFILEDEF", |n| z_shape(n)),
