@@ -23,7 +23,7 @@ pub fn open(file: File) -> Result<Mended> {
     file.rewind()?;
     file.read_exact(&mut head)?;
     if head.len() < 227 || !head.starts_with(b"LASF") {
-        bail!("not a LAS file: it has no head of one");
+        bail!("not a readable LAS file: it does not begin with the head of one");
     }
     let mut notes = Vec::new();
     check_scales(&head)?;
