@@ -20,15 +20,16 @@ use crate::read::{self, Columns, IdentityPose, Kind, Unit};
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
 Models: IFC (STEP). Every product with a body becomes a row of building_object; what cannot be meshed is named.
-Scans: E57, LAS, LAZ, PLY, PTX, PCD, XYZ, PTS. Every scanner position becomes a row of station, its beams patches in
-scan. E57 and PTX tell the scanner's position; for the others give --origin, or their points say where something is,
+Scans: E57, LAS, LAZ, PLY, PTX, PCD, XYZ, PTS, TXT, ASC, CSV. Every scanner position becomes a row of station, its beams patches in
+scan. E57, PTX and most PCD tell the scanner's position; for the others give --origin, or their points say where something is,
 but never that a place is empty. Loading a file again replaces what it had loaded. A file that fails leaves nothing behind.
 Files are read by a process of their own, which ends with an error where it takes more than --max-memory.
 
 Examples:
   asbuilt load model.ifc --loa LOA20
   asbuilt load scans/*.e57 --epoch 2
-  asbuilt load tripod.laz --epoch 2 --origin 12.3,4.5,1.6")]
+  asbuilt load tripod.laz --epoch 2 --origin 12.3,4.5,1.6
+  asbuilt load survey.txt --columns n,x,y,z --file-unit ft")]
 pub struct LoadArgs {
     /// IFC models and scan files
     #[arg(required = true, value_name = "FILE")]
@@ -42,10 +43,10 @@ pub struct LoadArgs {
     /// Drop returns nearer than this (the scanner's own platform), metres
     #[arg(long, default_value_t = 0.3, value_name = "M", allow_hyphen_values = true)]
     min_range: f64,
-    /// Keep the intensity of every return (E57, LAS, LAZ); 1 to 2 bytes a beam more
+    /// Keep the intensity of every return (E57, LAS, LAZ, texts with a column i); 1 to 2 bytes a beam more
     #[arg(long)]
     intensity: bool,
-    /// Keep the colour of every return (E57, LAS, LAZ); up to 3 bytes a beam more
+    /// Keep the colour of every return (E57, LAS, LAZ, texts with columns r, g, b); up to 3 bytes a beam more
     #[arg(long, alias = "color")]
     colour: bool,
     /// What the columns of a text of points hold, in their order: n (number), x, y, z, i (intensity), r, g, b, - (passed over)
