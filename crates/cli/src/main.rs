@@ -48,6 +48,8 @@ struct Cli {
 enum Command {
     /// Load models and scans into the database, making its tables if they are missing
     Load(commands::load::LoadArgs),
+    /// What files hold and how they would be read, without a database
+    Inspect(commands::inspect::InspectArgs),
     /// A verdict on every building object
     Verify(commands::verify::VerifyArgs),
     /// What is new, what has gone, and in which object
@@ -67,6 +69,7 @@ enum Command {
 fn main() {
     let result = match arguments().command {
         Command::Load(args) => commands::load::run(&args),
+        Command::Inspect(args) => commands::inspect::run(&args),
         Command::Verify(args) => commands::verify::run(&args),
         Command::Change(args) => commands::change::run(&args),
         Command::Forecast(args) => commands::forecast::run(&args),

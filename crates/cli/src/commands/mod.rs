@@ -2,8 +2,10 @@
 
 pub mod change;
 pub mod forecast;
+pub mod inspect;
 pub mod load;
 pub mod mesh_ifc;
 pub mod read_scan;
+pub mod reading;
 pub mod simulate;
 pub mod verify;

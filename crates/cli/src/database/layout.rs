@@ -12,24 +12,35 @@ use crate::output::say;
 /// Makes extension and tables where they are missing, and brings them up to date. Where nothing is to be done, nothing
 /// is locked and no right to make tables is asked for.
 pub fn make(db: &mut Database) -> Result<()> {
-    if db.names.extension.is_some() && is_current(&look(&mut db.client, &db.names)?)? {
+    if is_made(db)? {
         return Ok(());
     }
     // Each statement sees what those before us in the lock's queue have made.
     let tx = db.client.build_transaction().isolation_level(IsolationLevel::ReadCommitted);
     let mut tx = tx.start().map_err(explain)?;
-    let lock = "SELECT pg_catalog.pg_advisory_xact_lock(pg_catalog.hashtext('asbuilt tables'::text)::int8)";
-    tx.execute(lock, &[]).map_err(explain)?;
-    let names = with_extension(&mut tx, &db.names, db.current_schema.as_deref())?;
-    let found = look(&mut tx, &names)?;
-    let mut done = Vec::new();
-    if !is_current(&found)? {
-        update(&mut tx, &names, &found, &mut done)?;
-    }
+    let (names, done) = make_within(&mut tx, &db.names, db.current_schema.as_deref())?;
     tx.commit().map_err(explain)?;
     done.iter().for_each(|d| say!("asbuilt: tables in schema {}: {d}", names.home));
     db.names = names;
     Ok(())
+}
+
+/// Whether extension and tables are there and up to date.
+pub fn is_made(db: &mut Database) -> Result<bool> {
+    Ok(db.names.extension.is_some() && is_current(&look(&mut db.client, &db.names)?)?)
+}
+
+/// The same within a transaction: the names from then on, and what was done.
+pub fn make_within(tx: &mut Transaction, names: &Names, current: Option<&str>) -> Result<(Names, Vec<String>)> {
+    let lock = "SELECT pg_catalog.pg_advisory_xact_lock(pg_catalog.hashtext('asbuilt tables'::text)::int8)";
+    tx.execute(lock, &[]).map_err(explain)?;
+    let names = with_extension(tx, names, current)?;
+    let found = look(tx, &names)?;
+    let mut done = Vec::new();
+    if !is_current(&found)? {
+        update(tx, &names, &found, &mut done)?;
+    }
+    Ok((names, done))
 }
 
 /// Whether there is nothing to do. Where the number of the layout is not written down, but nobody here may write it, the

@@ -31,6 +31,21 @@ pub enum Form {
     Text,
 }
 
+impl Form {
+    /// As people call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ifc => "IFC",
+            Self::E57 => "E57",
+            Self::Las => "LAS/LAZ",
+            Self::Ply => "PLY",
+            Self::Pcd => "PCD",
+            Self::Ptx => "PTX",
+            Self::Text => "text of points",
+        }
+    }
+}
+
 const ENDINGS: [(&str, Form); 12] = [
     ("ifc", Form::Ifc),
     ("e57", Form::E57),

@@ -28,12 +28,10 @@ use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::{Beam, Content};
 use indicatif::ProgressBar;
 
-pub use content::{Kind, kind};
+pub use content::{Form, Kind, form, kind};
 pub use origin::IdentityPose;
 pub use text::Columns;
 pub use unit::Unit;
-
-use content::Form;
 
 /// What a scan file holds, position by position.
 #[derive(Debug)]
@@ -54,6 +52,8 @@ pub struct RawScan {
     pub is_list: bool,
     /// What the user is to know about it.
     pub notes: Vec<String>,
+    /// What the file tells of itself: name and value.
+    pub facts: Facts,
 }
 
 impl RawScan {
@@ -67,6 +67,9 @@ impl RawScan {
         self.content = self.content.select(&kept);
     }
 }
+
+/// What a file tells of itself: version, units, attributes, time, in its own words.
+pub type Facts = std::collections::BTreeMap<String, String>;
 
 /// Rotation of a scan whose file gives none.
 pub const NO_ROTATION: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
@@ -132,8 +135,8 @@ fn scan_of_content(path: &Path, content: Content, options: &ReadOptions) -> Resu
     let origin = options.origin;
     let world_from_scan = origin.map(|_| NO_ROTATION);
     let (name, anchor) = (stem(path), Vec3::zeros());
-    let (unusable, is_list, notes) = (0, false, Vec::new());
-    let mut scan = RawScan { name, sensor: None, world_from_scan, anchor, content, unusable, is_list, notes };
+    let (unusable, is_list, notes, facts) = (0, false, Vec::new(), Facts::new());
+    let mut scan = RawScan { name, sensor: None, world_from_scan, anchor, content, unusable, is_list, notes, facts };
     unit::apply(options.file_unit, &mut scan);
     let all = scan.content.len();
     scan.retain(|b| b.offset.iter().all(|c| c.is_finite()));

@@ -221,6 +221,7 @@ fn scattered(len: usize, wanted: usize) -> impl Iterator<Item = usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::read::Facts;
     use asbuilt_core::scan::Content;
 
     /// Returns from `scanner` on a room of 8 × 6 × 3 m with a column in it, in world coordinates.
@@ -257,6 +258,7 @@ mod tests {
             unusable: 0,
             is_list: false,
             notes: Vec::new(),
+            facts: Facts::new(),
         }
     }
 

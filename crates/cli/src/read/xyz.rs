@@ -11,7 +11,7 @@ use super::planes::Planes;
 use super::text::columns::doubt;
 use super::text::dialect::{Comma, hint};
 use super::text::{Columns, Dialect, Lines};
-use super::{ReadOptions, Sink, scan_of_content};
+use super::{Facts, ReadOptions, Sink, scan_of_content};
 
 /// Lines before the first point that are taken for titles.
 const MOST_TITLES: usize = 50;
@@ -37,6 +37,11 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     notes.extend(cloud.held_against_promise()?);
     let mut scan = scan_of_content(path, cloud.planes.content(cloud.points), options)?;
     scan.notes.splice(0..0, notes);
+    scan.facts = Facts::from([
+        ("columns".into(), columns.to_string()),
+        ("numbers".into(), dialect.to_string()),
+        ("unit".into(), "not told".into()),
+    ]);
     sink(scan)
 }
 

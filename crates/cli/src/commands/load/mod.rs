@@ -8,14 +8,15 @@ use std::time::Instant;
 
 use anyhow::{Context, Result, anyhow, bail};
 use asbuilt_core::evidence::Loa;
-use asbuilt_core::geometry::{Aabb, Vec3};
-use asbuilt_core::num::text::numbers;
+use asbuilt_core::geometry::Aabb;
+use postgres::Transaction;
 
+use crate::commands::reading::ReadingArgs;
 use crate::database::connect::{Database, DatabaseArgs, explain};
+use crate::database::names::Names;
 use crate::database::{layout, tables};
-use crate::memory;
-use crate::output::{Noted, notes, say};
-use crate::read::{self, Columns, IdentityPose, Kind, Unit};
+use crate::output::{Noted, notes, say, say_error};
+use crate::read::{self, Kind};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -37,60 +38,16 @@ pub struct LoadArgs {
     /// Epoch of the scans
     #[arg(long, default_value_t = 1, value_name = "N", allow_hyphen_values = true)]
     epoch: i32,
-    /// The scanner's position, for files that do not tell it
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_origin)]
-    origin: Option<Vec3>,
-    /// Drop returns nearer than this (the scanner's own platform), metres
-    #[arg(long, default_value_t = 0.3, value_name = "M", allow_hyphen_values = true)]
-    min_range: f64,
-    /// Keep the intensity of every return (E57, LAS, LAZ, texts with a column i); 1 to 2 bytes a beam more
+    #[command(flatten)]
+    reading: ReadingArgs,
+    /// Read and check everything, against the database too, and load nothing
     #[arg(long)]
-    intensity: bool,
-    /// Keep the colour of every return (E57, LAS, LAZ, texts with columns r, g, b); up to 3 bytes a beam more
-    #[arg(long, alias = "color")]
-    colour: bool,
-    /// What the columns of a text of points hold, in their order: n (number), x, y, z, i (intensity), r, g, b, - (passed over)
-    #[arg(long, value_name = "n,x,y,z,…", allow_hyphen_values = true)]
-    columns: Option<Columns>,
-    /// A comma within a number of a text is its decimal mark, where the numbers themselves do not tell
-    #[arg(long)]
-    decimal_comma: bool,
-    /// What the numbers of a file count in that does not tell it itself
-    #[arg(long, value_name = "UNIT")]
-    file_unit: Option<Unit>,
-    /// Keep the points of LAS and LAZ that are classified as noise (classes 7 and 18)
-    #[arg(long)]
-    keep_noise: bool,
-    /// What to make of a scanner at zero without rotation, as merged clouds have it
-    #[arg(long, value_enum, default_value_t)]
-    identity_pose: IdentityPose,
+    dry_run: bool,
     /// Level of accuracy of objects whose property LevelOfAccuracy does not say
     #[arg(long, default_value = "LOA30", value_parser = parse_loa)]
     loa: Loa,
-    /// Give up meshing a model after this many seconds
-    #[arg(long, default_value_t = 300, value_name = "S")]
-    mesh_timeout: u64,
-    /// Give up meshing a single product after this many seconds; the others are loaded
-    #[arg(long, default_value_t = 20, value_name = "S", value_parser = clap::value_parser!(u64).range(1..))]
-    product_timeout: u64,
-    /// Most memory that meshing may take for a single product; the others are loaded
-    #[arg(long, default_value = "2GB", value_name = "SIZE", value_parser = memory::parse)]
-    product_memory: u64,
-    /// Most memory that reading a file may take, e.g. 4GB [default: three quarters of the machine's]
-    #[arg(long, value_name = "SIZE", value_parser = memory::parse)]
-    max_memory: Option<u64>,
     #[command(flatten)]
     database: DatabaseArgs,
-}
-
-impl LoadArgs {
-    fn max_memory(&self) -> u64 {
-        self.max_memory.unwrap_or_else(memory::budget)
-    }
-}
-
-pub fn parse_origin(text: &str) -> std::result::Result<Vec3, String> {
-    numbers::<3>(text).map(Vec3::from).ok_or_else(|| format!("\"{text}\" is not three numbers x,y,z"))
 }
 
 pub fn parse_loa(text: &str) -> std::result::Result<Loa, String> {
@@ -98,9 +55,7 @@ pub fn parse_loa(text: &str) -> std::result::Result<Loa, String> {
 }
 
 pub fn run(args: &LoadArgs) -> Result<()> {
-    if !(args.min_range >= 0.0 && args.min_range.is_finite()) {
-        bail!("--min-range {} must be 0 or more", args.min_range);
-    }
+    args.reading.check()?;
     let kinds = args.files.iter().map(|f| kind_of(f)).collect::<Result<Vec<_>>>()?;
     for (i, file) in args.files.iter().enumerate() {
         if let Some(other) = args.files[..i].iter().find(|o| source(o) == source(file)) {
@@ -112,6 +67,9 @@ pub fn run(args: &LoadArgs) -> Result<()> {
         }
     }
     let mut db = args.database.connect()?;
+    if args.dry_run {
+        return rehearse(args, &kinds, &mut db);
+    }
     layout::make(&mut db)?;
     for (i, (file, kind)) in args.files.iter().zip(kinds).enumerate() {
         let start = Instant::now();
@@ -127,6 +85,30 @@ pub fn run(args: &LoadArgs) -> Result<()> {
     warn_apart(&mut db, args.epoch)
 }
 
+/// Everything but the commit; a file that cannot be loaded keeps none of the others from being tried.
+fn rehearse(args: &LoadArgs, kinds: &[Kind], db: &mut Database) -> Result<()> {
+    let is_made = layout::is_made(db)?;
+    let (mut names, current) = (db.names.clone(), db.current_schema.clone());
+    let mut tx = db.client.transaction().map_err(explain)?;
+    if !is_made {
+        (names, _) = layout::make_within(&mut tx, &names, current.as_deref())?;
+        say!("the tables of asbuilt would be made or brought up to date in schema {}", names.home);
+    }
+    let mut failed = 0;
+    for (file, kind) in args.files.iter().zip(kinds) {
+        let mut part = tx.transaction().map_err(explain)?;
+        if let Err(error) = store(args, file, *kind, &names, &mut part) {
+            failed += 1;
+            say_error("asbuilt", &error);
+        }
+    }
+    say!("nothing was loaded (--dry-run)");
+    if failed > 0 {
+        bail!("{failed} of {} files cannot be loaded", args.files.len());
+    }
+    Ok(())
+}
+
 fn kind_of(file: &Path) -> Result<Kind> {
     if file.is_dir() {
         bail!("{}: it is a folder; name the files in it", file.display());
@@ -137,12 +119,16 @@ fn kind_of(file: &Path) -> Result<Kind> {
 /// One file, one transaction: dropped without commit, it leaves nothing.
 fn load_file(args: &LoadArgs, file: &Path, kind: Kind, db: &mut Database) -> Result<()> {
     let mut tx = db.client.transaction().map_err(explain)?;
-    tables::lock_source(&mut tx, &source(file), if kind == Kind::Scan { args.epoch } else { 0 })?;
-    match kind {
-        Kind::Model => model::load(args, file, &db.names, &mut tx)?,
-        Kind::Scan => scans::load(args, file, &db.names, &mut tx)?,
-    }
+    store(args, file, kind, &db.names, &mut tx)?;
     tx.commit().map_err(explain).with_context(|| format!("{}: nothing of it was loaded", file.display()))
+}
+
+fn store(args: &LoadArgs, file: &Path, kind: Kind, names: &Names, tx: &mut Transaction) -> Result<()> {
+    tables::lock_source(tx, &source(file), if kind == Kind::Scan { args.epoch } else { 0 })?;
+    match kind {
+        Kind::Model => model::load(args, file, names, tx),
+        Kind::Scan => scans::load(args, file, names, tx),
+    }
 }
 
 /// What the rows of a file are known by.

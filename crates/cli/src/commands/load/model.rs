@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 use std::path::Path;
-use std::time::Duration;
 
 use anyhow::{Context, Result};
 use asbuilt_core::NEVER;
@@ -20,13 +19,7 @@ use crate::read::ifc;
 
 pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -> Result<()> {
     let bar = spinner(&format!("meshing {}", file.display()));
-    let limits = ifc::Limits {
-        time: Duration::from_secs(args.mesh_timeout),
-        memory: args.max_memory(),
-        product_time: Duration::from_secs(args.product_timeout),
-        product_memory: args.product_memory,
-    };
-    let model = ifc::read(file, limits)?;
+    let model = ifc::read(file, args.reading.limits())?;
     bar.finish_and_clear();
     let source = source(file);
     let delete = names.sql("DELETE FROM @building_object WHERE source = $1::text");

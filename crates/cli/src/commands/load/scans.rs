@@ -12,7 +12,7 @@ use crate::database::connect::explain;
 use crate::database::copy::BinaryCopy;
 use crate::database::names::Names;
 use crate::output::{count, progress, say};
-use crate::read::child::{Event, Job, Reader, ScanHead};
+use crate::read::child::{Event, Reader, ScanHead};
 use crate::stations::Packed;
 
 pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -> Result<()> {
@@ -24,7 +24,7 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
     }
     let bar = progress(&format!("reading {source}"), "points");
     let mut total = Total::default();
-    let mut reader = Reader::start(job(args, file))?;
+    let mut reader = Reader::start(args.reading.job(file))?;
     while let Some(event) = reader.next(&bar)? {
         let Event::Scan(head) = event else { bail!("{}: its reader sent no scan", file.display()) };
         head.notes.iter().for_each(|note| say!("  {}: {note}", head.name));
@@ -36,7 +36,7 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
         if packed.beams == packed.no_returns {
             say!("  warning: {}: no return of it is left", head.name);
         }
-        if let (Some(_), Some(given)) = (head.world_from_scan, args.origin)
+        if let (Some(_), Some(given)) = (head.world_from_scan, args.reading.origin)
             && head.anchor != <[f64; 3]>::from(given)
         {
             say!("  {}: the file tells the scanner's position, which goes before --origin", head.name);
@@ -45,22 +45,6 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
     }
     bar.finish_and_clear();
     total.report(args, file, &source)
-}
-
-fn job(args: &LoadArgs, file: &Path) -> Job {
-    Job {
-        file: file.to_owned(),
-        origin: args.origin,
-        min_range: args.min_range,
-        intensity: args.intensity,
-        colour: args.colour,
-        columns: args.columns.clone(),
-        decimal_comma: args.decimal_comma,
-        file_unit: args.file_unit,
-        keep_noise: args.keep_noise,
-        identity_pose: args.identity_pose,
-        max_memory: args.max_memory(),
-    }
 }
 
 /// A scanner position whose patches follow.
@@ -142,7 +126,7 @@ impl Total {
         if self.returns() == 0 {
             let why = match self.too_near {
                 0 => "no beam of it returned".into(),
-                n => format!("its {n} returns are all nearer than --min-range {} m", args.min_range),
+                n => format!("its {n} returns are all nearer than --min-range {} m", args.reading.min_range),
             };
             bail!("{}: nothing to load: {why}", file.display());
         }
@@ -153,7 +137,7 @@ impl Total {
             count(self.beams),
             count(self.no_returns),
             count(self.too_near),
-            args.min_range
+            args.reading.min_range
         );
         say!("  box {}", shown(&self.points));
         if self.unusable > 0 {

@@ -5,6 +5,8 @@ use std::io::{ErrorKind, Read, Write};
 use anyhow::{Result, bail};
 use serde::{Deserialize, Serialize};
 
+use crate::read::Facts;
+
 /// What a frame holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -36,6 +38,8 @@ pub struct ScanHead {
     pub unusable: u64,
     /// What the user is to know about it.
     pub notes: Vec<String>,
+    /// What the file tells of itself.
+    pub facts: Facts,
 }
 
 /// No patch and no name is longer; PostgreSQL takes no more either.

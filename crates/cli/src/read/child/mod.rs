@@ -28,7 +28,7 @@ use super::{Columns, IdentityPose, ReadOptions, Unit};
 pub struct Job {
     /// File of scans
     pub file: PathBuf,
-    #[arg(long, value_parser = crate::commands::load::parse_origin, allow_hyphen_values = true)]
+    #[arg(long, value_parser = crate::commands::reading::parse_origin, allow_hyphen_values = true)]
     pub origin: Option<asbuilt_core::geometry::Vec3>,
     #[arg(long, default_value_t = 0.0)]
     pub min_range: f64,

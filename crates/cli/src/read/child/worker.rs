@@ -46,6 +46,7 @@ fn send(job: &Job, mut scan: RawScan, pipe: &Pipe) -> Result<()> {
         is_empty: scan.content.is_empty(),
         unusable: scan.unusable,
         notes: std::mem::take(&mut scan.notes),
+        facts: std::mem::take(&mut scan.facts),
     };
     pipe.send(Kind::Scan, &postcard::to_stdvec(&head)?)?;
     if head.is_empty {

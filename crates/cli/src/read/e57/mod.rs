@@ -12,7 +12,7 @@ use indicatif::ProgressBar;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::grid::{Cell, missing_directions};
-use super::{NO_ROTATION, RawScan, ReadOptions, Sink, stem, unit};
+use super::{Facts, NO_ROTATION, RawScan, ReadOptions, Sink, stem, unit};
 
 /// Reads every point cloud of the file.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
@@ -108,6 +108,7 @@ fn read_cloud(
         unusable,
         is_list: false,
         notes: Vec::new(),
+        facts: facts(cloud),
     };
     if has_origin {
         let missing = missing_directions(&cells);
@@ -197,6 +198,22 @@ fn move_anchor(scan: &mut RawScan, origin: Option<Vec3>, has_origin: bool) {
     scan.content.beams.iter_mut().for_each(|b| b.offset += shift);
     scan.anchor = anchor;
     scan.world_from_scan = origin.map(|_| NO_ROTATION);
+}
+
+/// Fields, times, and what else a cloud says.
+fn facts(cloud: &PointCloud) -> Facts {
+    let fields: Vec<String> = cloud.prototype.iter().map(|r| format!("{:?}", r.name)).collect();
+    let mut out = Facts::from([
+        ("points".into(), cloud.records.to_string()),
+        ("fields".into(), fields.join(" ")),
+        ("unit".into(), "metres (by the standard)".into()),
+    ]);
+    let texts = [("description", &cloud.description), ("serial number", &cloud.sensor_serial), ("guid", &cloud.guid)];
+    out.extend(texts.into_iter().filter_map(|(name, text)| Some((name.into(), text.clone()?))));
+    if let Some(time) = &cloud.acquisition_start {
+        out.insert("acquisition start".into(), format!("{} s GPS", time.gps_time));
+    }
+    out
 }
 
 fn sensor(cloud: &PointCloud) -> Option<String> {

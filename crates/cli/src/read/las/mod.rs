@@ -13,9 +13,9 @@ use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::{Beam, Content};
 use indicatif::ProgressBar;
-use las::{PointData, PointDataBuilder, Reader, ReaderOptions};
+use las::{Header, PointData, PointDataBuilder, Reader, ReaderOptions};
 
-use super::{ReadOptions, Sink, scan_of_content};
+use super::{Facts, ReadOptions, Sink, scan_of_content};
 
 /// Points read at a time: several LAZ chunks, so that they decompress in parallel; of long records fewer.
 const AT_ONCE: u64 = 500_000;
@@ -31,6 +31,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     let mut reader = Reader::with_options(file, serial).context("not a readable LAS file")?;
     let (factors, said) = crs::factors(crs::units(reader.header())?, options.file_unit)?;
     notes.extend(said);
+    let facts = facts(reader.header());
     let mut points = Points::new(reader.header().point_format().is_extended, factors, options);
     let mut data = PointDataBuilder::new().for_header(reader.header()).build();
     let at_once = AT_ONCE.min(BYTES_AT_ONCE / u64::from(reader.header().point_format().len()).max(1));
@@ -50,7 +51,37 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     let options = ReadOptions { file_unit: None, ..options.clone() };
     let mut scan = scan_of_content(path, points.content(), &options)?;
     scan.notes.splice(0..0, notes);
+    scan.facts = facts;
     sink(scan)
+}
+
+/// Version, format, units, attributes and day.
+fn facts(header: &Header) -> Facts {
+    let format = header.point_format();
+    let attributes = [
+        ("gps time", format.has_gps_time),
+        ("colour", format.has_color),
+        ("near infrared", format.has_nir),
+        ("waveform", format.has_waveform),
+    ];
+    let attributes: Vec<&str> = attributes.iter().filter(|(_, has)| *has).map(|(name, _)| *name).collect();
+    let mut out = Facts::from([
+        ("version".into(), header.version().to_string()),
+        ("points".into(), header.number_of_points().to_string()),
+        ("attributes".into(), attributes.join(", ")),
+        ("software".into(), header.generating_software().trim().to_owned()),
+        ("compressed".into(), format.is_compressed.to_string()),
+    ]);
+    if let Ok(units) = crs::units(header) {
+        let named = |metres: Option<f64>| metres.map_or("not told".into(), super::unit::called);
+        out.insert("unit".into(), named(units.across));
+        out.insert("unit of heights".into(), named(units.up));
+    }
+    if let Some(date) = header.date() {
+        out.insert("created".into(), date.to_string());
+    }
+    out.retain(|_, text| !text.is_empty());
+    out
 }
 
 /// Points as they are read.

@@ -15,7 +15,7 @@ use indicatif::ProgressBar;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::text::Lines;
-use super::{RawScan, ReadOptions, Sink, scan_of_points};
+use super::{Facts, RawScan, ReadOptions, Sink, scan_of_points};
 use header::{Field, Header, Storage};
 
 /// Reads all points.
@@ -32,6 +32,13 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     let has_pose = header.viewpoint != [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
     let here = ReadOptions { origin: if has_pose { Some(Vec3::zeros()) } else { options.origin }, ..options.clone() };
     let mut scan = scan_of_points(path, points, &here)?;
+    let names: Vec<&str> = header.fields.iter().map(|f| f.name.as_str()).collect();
+    scan.facts = Facts::from([
+        ("data".into(), format!("{:?}", header.storage)),
+        ("points".into(), header.points.to_string()),
+        ("fields".into(), names.join(" ")),
+        ("unit".into(), "not told".into()),
+    ]);
     if has_pose {
         pose(&mut scan, &header.viewpoint, options);
     }

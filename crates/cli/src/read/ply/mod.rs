@@ -16,7 +16,7 @@ use ply_rs_bw::ply::{
 };
 
 use super::text::Lines;
-use super::{ReadOptions, Sink, scan_of_points};
+use super::{Facts, ReadOptions, Sink, scan_of_points};
 
 struct Vertex([f64; 3]);
 
@@ -63,7 +63,15 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
         Encoding::Ascii => ascii(file, lines, &header, places, bar)?,
         _ => binary(Reader::new(file), &header, bar)?,
     };
-    sink(scan_of_points(path, points, options)?)
+    let mut scan = scan_of_points(path, points, options)?;
+    let names: Vec<&str> = element.properties.keys().map(String::as_str).collect();
+    scan.facts = Facts::from([
+        ("encoding".into(), format!("{:?}", header.encoding)),
+        ("points".into(), element.count.to_string()),
+        ("fields".into(), names.join(" ")),
+        ("unit".into(), "not told".into()),
+    ]);
+    sink(scan)
 }
 
 /// Places of x, y, z among the properties, which must be numbers.

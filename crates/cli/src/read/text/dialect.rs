@@ -26,6 +26,22 @@ pub struct Dialect {
     pub comma: Option<Comma>,
 }
 
+impl std::fmt::Display for Dialect {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self.separator {
+            Separator::Blank => "parted by blanks",
+            Separator::Semicolon => "parted by semicolons",
+            Separator::Pipe => "parted by bars",
+            Separator::Comma => "parted by commas",
+        })?;
+        f.write_str(match self.comma {
+            None => "",
+            Some(Comma::Decimal) => ", decimal commas",
+            Some(Comma::Thousands) => ", thousands by commas",
+        })
+    }
+}
+
 /// What the commas of a word say.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Form {

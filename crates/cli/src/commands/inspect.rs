@@ -1,0 +1,180 @@
+//! `asbuilt inspect`: what files hold and how they would be read.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Result, bail};
+use asbuilt_core::geometry::{Aabb, Closedness};
+use indicatif::ProgressBar;
+use serde_json::{Value, json};
+
+use super::reading::ReadingArgs;
+use crate::output::{safe, say};
+use crate::read::child::{Event, Reader, ScanHead};
+use crate::read::{self, Form, ifc};
+use crate::stations::Packed;
+
+#[derive(clap::Args, Debug)]
+#[command(after_long_help = "\
+Reads files as `asbuilt load` would, with the same options, and tells format, points or products, box, units, scanner
+positions and what would be dropped or doubted, and why. Needs no database and writes nothing.
+
+Examples:
+  asbuilt inspect survey.laz
+  asbuilt inspect *.txt --columns n,x,y,z --format json")]
+pub struct InspectArgs {
+    /// IFC models and scan files
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    #[command(flatten)]
+    reading: ReadingArgs,
+    /// How to print; the keys of JSON are listed in docs/inspect.md
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+#[derive(clap::ValueEnum, Debug, Clone, Copy, Default, PartialEq, Eq)]
+enum Format {
+    /// Lines to read
+    #[default]
+    Table,
+    /// An array with an object a file
+    Json,
+}
+
+pub fn run(args: &InspectArgs) -> Result<()> {
+    args.reading.check()?;
+    let found: Vec<Value> = args.files.iter().map(|file| inspected(file, &args.reading)).collect();
+    match args.format {
+        Format::Json => println!("{}", serde_json::to_string_pretty(&found)?),
+        Format::Table => found.iter().for_each(print),
+    }
+    let failed = found.iter().filter(|f| !f["error"].is_null()).count();
+    if failed > 0 {
+        bail!("{failed} of {} files cannot be read", found.len());
+    }
+    Ok(())
+}
+
+/// What there is to say of a file.
+fn inspected(file: &Path, reading: &ReadingArgs) -> Value {
+    let form = read::form(file);
+    let name = form.as_ref().map(|f| f.name()).ok();
+    let content = form.and_then(|form| match form {
+        Form::Ifc => model(file, reading).map(|model| json!({ "model": model })),
+        _ => scans(file, reading).map(|scans| json!({ "scans": scans })),
+    });
+    let mut out = json!({ "file": file.display().to_string(), "format": name, "error": null });
+    match content {
+        Ok(Value::Object(content)) => content.into_iter().for_each(|(key, value)| out[key] = value),
+        Ok(_) => {}
+        Err(error) => out["error"] = format!("{error:#}").into(),
+    }
+    out
+}
+
+fn scans(file: &Path, reading: &ReadingArgs) -> Result<Vec<Value>> {
+    let bar = ProgressBar::hidden();
+    let mut reader = Reader::start(reading.job(file))?;
+    let (mut out, mut open) = (Vec::new(), None);
+    while let Some(event) = reader.next(&bar)? {
+        match event {
+            Event::Scan(head) if head.is_empty => out.push(scan(&head, None)),
+            Event::Scan(head) => {
+                reader.answer(out.len() as i64 + 1)?;
+                open = Some(head);
+            }
+            Event::Patch(_) => {}
+            Event::Packed(packed) => out.extend(open.take().map(|head| scan(&head, Some(&packed)))),
+        }
+    }
+    Ok(out)
+}
+
+fn scan(head: &ScanHead, packed: Option<&Packed>) -> Value {
+    let origin = head.world_from_scan.map(|_| head.anchor);
+    json!({
+        "name": head.name,
+        "sensor": head.sensor,
+        "origin": origin,
+        "rotation": head.world_from_scan,
+        "returns": packed.map_or(0, |p| p.beams - p.no_returns),
+        "no_returns": packed.map_or(0, |p| p.no_returns),
+        "too_near": packed.map_or(0, |p| p.too_near),
+        "unusable": head.unusable,
+        "box": packed.and_then(|p| corners(&p.points)),
+        "facts": head.facts,
+        "notes": head.notes,
+    })
+}
+
+/// Least and greatest corner; none of an empty box.
+fn corners(b: &Aabb) -> Option<[[f64; 3]; 2]> {
+    (0..3).all(|i| b.min[i] <= b.max[i]).then_some([b.min, b.max])
+}
+
+fn model(file: &Path, reading: &ReadingArgs) -> Result<Value> {
+    let model = ifc::read(file, reading.limits())?;
+    let (mut bounds, mut open, mut classes) = (Aabb::EMPTY, Vec::new(), std::collections::BTreeMap::new());
+    for product in &model.products {
+        *classes.entry(product.ifc_class.as_str()).or_insert(0u64) += 1;
+        if let Some(solid) = product.solid()? {
+            bounds = bounds.union(&solid.bounds());
+            if solid.closedness() == Closedness::Open {
+                open.push(product.shown());
+            }
+        }
+    }
+    let named = |all: &[(String, String)]| -> Vec<Value> {
+        all.iter().map(|(name, why)| json!({ "name": name, "reason": why })).collect()
+    };
+    let conversion = model.map_conversion.as_ref();
+    Ok(json!({
+        "products": model.products.len(),
+        "classes": classes,
+        "open": open,
+        "missing": named(&model.unmeshed),
+        "noted": named(&model.noted),
+        "left_out": model.left_out,
+        "map_conversion": conversion,
+        "box": corners(&bounds),
+        "warnings": model.warnings,
+    }))
+}
+
+/// A file as lines: simple values after their names, lists below.
+fn print(found: &Value) {
+    let text = |value: &Value| value.as_str().map_or_else(|| value.to_string(), ToOwned::to_owned);
+    println!("{}: {}", safe(&text(&found["file"])), found["format"].as_str().unwrap_or("unknown"));
+    if let Some(error) = found["error"].as_str() {
+        say!("  {error}");
+    }
+    let scans = found["scans"].as_array().into_iter().flatten();
+    for part in scans.chain(found.get("model")) {
+        for (key, value) in part.as_object().into_iter().flatten() {
+            lines(key, value, 1);
+        }
+    }
+}
+
+fn lines(key: &str, value: &Value, depth: usize) {
+    let indent = "  ".repeat(depth);
+    match value {
+        Value::Null => println!("{indent}{key}: not known"),
+        Value::Array(all) if all.is_empty() => {}
+        Value::Array(all) if all.iter().any(|v| v.is_string() || v.is_object()) => {
+            println!("{indent}{key}:");
+            all.iter().for_each(|v| lines("-", v, depth + 1));
+        }
+        Value::Object(all) if key == "-" => {
+            let parts: Vec<String> = all.iter().map(|(_, v)| v.as_str().map_or_else(|| v.to_string(), safe)).collect();
+            println!("{indent}- {}", parts.join(": "));
+        }
+        Value::Object(all) if all.is_empty() => {}
+        Value::Object(all) => {
+            println!("{indent}{key}:");
+            all.iter().for_each(|(key, value)| lines(key, value, depth + 1));
+        }
+        Value::String(text) => println!("{indent}{key}: {}", safe(text)),
+        other => println!("{indent}{key}: {other}"),
+    }
+}
