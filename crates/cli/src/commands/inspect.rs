@@ -174,6 +174,7 @@ fn lines(key: &str, value: &Value, depth: usize) {
             println!("{indent}{key}:");
             all.iter().for_each(|(key, value)| lines(key, value, depth + 1));
         }
+        Value::String(text) if key == "-" => println!("{indent}- {}", safe(text)),
         Value::String(text) => println!("{indent}{key}: {}", safe(text)),
         other => println!("{indent}{key}: {other}"),
     }
