@@ -113,7 +113,7 @@ fn corners(b: &Aabb) -> Option<[[f64; 3]; 2]> {
 }
 
 fn model(file: &Path, reading: &ReadingArgs) -> Result<Value> {
-    let model = ifc::read(file, reading.limits())?;
+    let model = ifc::read(file, reading.limits())?.in_unit(reading.file_unit)?;
     let (mut bounds, mut open, mut classes) = (Aabb::EMPTY, Vec::new(), std::collections::BTreeMap::new());
     for product in &model.products {
         *classes.entry(product.ifc_class.as_str()).or_insert(0u64) += 1;
@@ -135,6 +135,7 @@ fn model(file: &Path, reading: &ReadingArgs) -> Result<Value> {
         "missing": named(&model.unmeshed),
         "noted": named(&model.noted),
         "left_out": model.left_out,
+        "length_unit": model.length_unit,
         "map_conversion": conversion,
         "box": corners(&bounds),
         "warnings": model.warnings,

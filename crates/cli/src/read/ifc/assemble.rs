@@ -10,9 +10,10 @@ use super::told::{Drafts, Header, Outcome};
 use super::{Model, Product};
 
 pub fn model(progress: Progress) -> Result<Model> {
-    let Header { mut drafts, whole_of, left_out, words, map_conversion } =
+    let Header { mut drafts, whole_of, left_out, words, map_conversion, length_unit } =
         progress.header.context("the meshing process told nothing")?;
-    let mut model = Model { left_out, warnings: words, map_conversion, times: progress.times, ..Model::default() };
+    let (warnings, times) = (words, progress.times);
+    let mut model = Model { left_out, warnings, map_conversion, length_unit, times, ..Model::default() };
     for (id, outcome) in progress.outcomes {
         let Some(draft) = drafts.get_mut(&id) else { continue };
         let missing = match outcome {

@@ -32,6 +32,8 @@ use anyhow::Result;
 use asbuilt_core::geometry::{Closedness, Solid, Vec3, orient};
 use serde::{Deserialize, Serialize};
 
+use crate::read::{Unit, unit};
+
 pub use reader::{Limits, read};
 pub use step::MapConversion;
 pub use table::print_table;
@@ -74,10 +76,27 @@ pub struct Model {
     /// Products whose openings had to be cut once more, and came out right.
     pub mended: usize,
     pub map_conversion: Option<MapConversion>,
+    /// Metres of its unit of length, where it tells one.
+    pub length_unit: Option<f64>,
     /// Time of meshing and of its checks, all threads together.
     pub times: Option<(Duration, Duration)>,
     /// What is to be said of the file as a whole.
     pub warnings: Vec<String>,
+}
+
+impl Model {
+    /// What the user says of the unit counts where the file says nothing; metres were taken then.
+    pub fn in_unit(mut self, given: Option<Unit>) -> Result<Self> {
+        let Some(unit) = given else { return Ok(self) };
+        if let Some(told) = self.length_unit {
+            unit::check(told, given)?;
+            return Ok(self);
+        }
+        let all = self.products.iter_mut().flat_map(|p| &mut p.vertices).flatten();
+        all.for_each(|coordinate| *coordinate *= unit.metres());
+        self.warnings.push(format!("it tells no unit of length; {} taken (--file-unit)", unit.name()));
+        Ok(self)
+    }
 }
 
 impl Product {

@@ -29,6 +29,7 @@ pub struct Header {
     pub left_out: BTreeMap<String, u64>,
     pub words: Vec<String>,
     pub map_conversion: Option<MapConversion>,
+    pub length_unit: Option<f64>,
 }
 
 /// What came of a product.

@@ -81,7 +81,8 @@ pub(super) fn tell(
         let mut drafts = attributes.drafts;
         drafts.iter_mut().for_each(|(&id, d)| d.product.id = step.shown(id));
         let (whole_of, words, map_conversion) = (relations.whole_of, step.words.clone(), step.map_conversion.clone());
-        let header = Header { drafts, whole_of, left_out: attributes.left_out, words, map_conversion };
+        let (left_out, length_unit) = (attributes.left_out, step.length_unit);
+        let header = Header { drafts, whole_of, left_out, words, map_conversion, length_unit };
         Told::Header(Box::new(header)).write(out).map_err(|e| e.to_string())?;
     }
     let cutter = Arc::new(Cutter::new(Meshing::new(text, index, step.angle)?, text, step.angle));

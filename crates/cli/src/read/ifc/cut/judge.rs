@@ -107,10 +107,10 @@ mod tests {
     fn right_wrong_and_open() {
         let (host, tool) = (cuboid([0.0; 3], [4.0, 1.0, 3.0]), cuboid([1.0, -1.0, -1.0], [2.0, 2.0, 4.0]));
         let left = joined(&cuboid([0.0; 3], [1.0, 1.0, 3.0]), &cuboid([2.0, 0.0, 0.0], [4.0, 1.0, 3.0]));
-        assert_eq!(judge(&host, &[tool.clone()], &left, 40), Finding::Right);
-        assert!(matches!(judge(&host, &[tool.clone()], &host, 40), Finding::Wrong(_)));
+        assert_eq!(judge(&host, std::slice::from_ref(&tool), &left, 40), Finding::Right);
+        assert!(matches!(judge(&host, std::slice::from_ref(&tool), &host, 40), Finding::Wrong(_)));
         let skin = joined(&left, &cuboid([1.0, 0.0, 0.0], [2.0, 2e-5, 3.0]));
-        assert!(matches!(judge(&host, &[tool.clone()], &skin, 40), Finding::Wrong(_)));
+        assert!(matches!(judge(&host, std::slice::from_ref(&tool), &skin, 40), Finding::Wrong(_)));
         let mut open = host.clone();
         open.triangles.drain(6..8);
         assert_eq!(judge(&open, &[tool], &left, 40), Finding::Open);

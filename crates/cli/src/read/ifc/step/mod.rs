@@ -40,6 +40,8 @@ pub struct Step<'a> {
     /// Radians of the unit of angles, where it is not the one that the file tells.
     pub angle: Option<f64>,
     pub map_conversion: Option<MapConversion>,
+    /// Metres of the project's unit of length.
+    pub length_unit: Option<f64>,
 }
 
 impl<'a> Step<'a> {
@@ -52,9 +54,10 @@ impl<'a> Step<'a> {
         let angle = mended.as_ref().map(|m| m.0);
         words.extend(mended.map(|m| m.1));
         let map_conversion = MapConversion::read(&document);
+        let length_unit = units::project_metres(&document);
         let edits = edits(&document, &mut notes);
         let text = if edits.is_empty() { text } else { Cow::Owned(edits.apply(&text)) };
-        Ok(Self { text, words, notes, original, angle, map_conversion })
+        Ok(Self { text, words, notes, original, angle, map_conversion, length_unit })
     }
 
     /// A record's number in the file.
