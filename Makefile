@@ -3,6 +3,7 @@
 #   make demo MODEL=x.ifc SCANS="a.e57 b.e57"  the same on your own files
 #   make test                                  every test
 #   make attack                                the long attack on what is installed: MINUTES=30 SEED=n
+#   make corpus DIR=folder                    every file of a folder, read by asbuilt and by readers of others
 #   make install PG_CONFIG=/path/to/pg_config  the extension into a local PostgreSQL, the program into BINDIR
 
 PG_VERSION ?= 15
@@ -14,7 +15,7 @@ MODEL ?=
 SCANS ?=
 LOA ?=
 
-.PHONY: demo demo-stop test attack installcheck install bench truth lint docs setup setup-test clean
+.PHONY: demo demo-stop test corpus attack installcheck install bench truth lint docs setup setup-test clean
 
 demo: setup
 	@scripts/demo.sh "$(MODEL)" "$(SCANS)" "$(LOA)"
@@ -33,6 +34,10 @@ installcheck:
 attack: setup
 	scripts/install.sh
 	scripts/attack.sh
+
+corpus: setup
+	cargo build --quiet --release -p asbuilt-cli
+	scripts/corpus.sh "$(DIR)"
 
 install: setup
 	scripts/install.sh
