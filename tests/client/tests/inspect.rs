@@ -22,7 +22,7 @@ fn files_are_told_without_a_database() {
     let damaged = scratch("inspect.e57");
     fs::write(&damaged, "this is no E57").unwrap();
     let model = project("demo/pavilion.ifc");
-    let (success, found) = inspect(&db, &[text(&points), text(&model), text(&damaged), "--file-unit", "ft"]);
+    let (success, found) = inspect(&db, &[text(&points), text(&model), "--file-unit", "ft"]);
     assert!(!success);
     // The model tells its own unit.
     assert!(found[1]["error"].as_str().unwrap().contains("--file-unit says feet"), "{}", found[1]);
@@ -32,7 +32,8 @@ fn files_are_told_without_a_database() {
     assert_eq!(scan["facts"]["columns"], "x,y,z");
     let (success, alone) = inspect(&db, &[text(&model)]);
     assert!(success && alone[0]["model"]["products"].as_u64().unwrap() > 10, "{}", alone[0]);
-    assert!(found[2]["error"].as_str().unwrap().contains("not a readable E57 file"), "{}", found[2]);
+    let (success, found) = inspect(&db, &[text(&damaged)]);
+    assert!(!success && found[0]["error"].as_str().unwrap().contains("not a readable E57 file"), "{}", found[0]);
     // For people.
     let out = db.command(&["inspect", text(&points)]).env("PGHOST", "/nowhere").output().unwrap();
     let said = String::from_utf8(out.stdout).unwrap();
