@@ -113,7 +113,7 @@ fn corners(b: &Aabb) -> Option<[[f64; 3]; 2]> {
 }
 
 fn model(file: &Path, reading: &ReadingArgs) -> Result<Value> {
-    let model = ifc::read(file, reading.limits())?.in_unit(reading.file_unit)?;
+    let model = ifc::read(file, reading.limits())?.in_unit(reading.options.file_unit)?;
     let (mut bounds, mut open, mut classes) = (Aabb::EMPTY, Vec::new(), std::collections::BTreeMap::new());
     for product in &model.products {
         *classes.entry(product.ifc_class.as_str()).or_insert(0u64) += 1;

@@ -10,6 +10,7 @@ mod field_tests;
 mod grid;
 pub mod ifc;
 mod las;
+mod options;
 mod origin;
 mod overlay;
 mod pcd;
@@ -29,6 +30,7 @@ use asbuilt_core::scan::{Beam, Content};
 use indicatif::ProgressBar;
 
 pub use content::{Form, Kind, form, kind};
+pub use options::ReadOptions;
 pub use origin::IdentityPose;
 pub use text::Columns;
 pub use unit::Unit;
@@ -73,27 +75,6 @@ pub type Facts = std::collections::BTreeMap<String, String>;
 
 /// Rotation of a scan whose file gives none.
 pub const NO_ROTATION: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
-
-/// How to read.
-#[derive(Debug, Clone, Default)]
-pub struct ReadOptions {
-    /// The scanner's place as the user gives it, for files that do not tell it.
-    pub origin: Option<Vec3>,
-    /// Keep intensities.
-    pub intensity: bool,
-    /// Keep colours.
-    pub colour: bool,
-    /// What the columns of a text hold.
-    pub columns: Option<Columns>,
-    /// A comma within a number is its decimal mark.
-    pub decimal_comma: bool,
-    /// What the numbers of files count in that do not tell it.
-    pub file_unit: Option<Unit>,
-    /// Keep points that are classified as noise.
-    pub keep_noise: bool,
-    /// What to make of a scanner at zero.
-    pub identity_pose: IdentityPose,
-}
 
 /// Takes scans as they are read.
 pub type Sink<'a> = &'a mut dyn FnMut(RawScan) -> Result<()>;

@@ -13,13 +13,15 @@ pub struct Overlay<R> {
     inner: R,
     len: u64,
     at: u64,
+    /// Where `inner` stands.
+    inner_at: u64,
     pieces: Vec<Piece>,
 }
 
 impl<R: Read + Seek> Overlay<R> {
     pub fn new(mut inner: R) -> io::Result<Self> {
         let len = inner.seek(SeekFrom::End(0))?;
-        Ok(Self { inner, len, at: 0, pieces: Vec::new() })
+        Ok(Self { inner, len, at: 0, inner_at: len, pieces: Vec::new() })
     }
 
     /// Puts bytes over what stands at `start`, or behind the end.
@@ -42,8 +44,12 @@ impl<R: Read + Seek> Read for Overlay<R> {
         } else {
             let next = self.pieces.iter().map(|p| p.start).filter(|&start| start > at).min();
             let room = next.map_or(out.len(), |start| out.len().min((start - at) as usize));
-            self.inner.seek(SeekFrom::Start(at))?;
-            self.inner.read(&mut out[..room])?
+            if self.inner_at != at {
+                self.inner_at = self.inner.seek(SeekFrom::Start(at))?;
+            }
+            let read = self.inner.read(&mut out[..room])?;
+            self.inner_at += read as u64;
+            read
         };
         self.at += read as u64;
         Ok(read)

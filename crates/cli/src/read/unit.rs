@@ -3,6 +3,7 @@
 use anyhow::{Result, bail};
 
 use super::RawScan;
+use super::options::word;
 
 /// What the numbers of a file count in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -42,18 +43,6 @@ impl Unit {
             Self::In => "inches",
         }
     }
-
-    /// As it is written on the command line.
-    pub fn option(self) -> &'static str {
-        match self {
-            Self::M => "m",
-            Self::Cm => "cm",
-            Self::Mm => "mm",
-            Self::Ft => "ft",
-            Self::UsFt => "us-ft",
-            Self::In => "in",
-        }
-    }
 }
 
 /// What a length is called: a unit's name, or its metres.
@@ -78,5 +67,5 @@ pub fn apply(unit: Option<Unit>, scan: &mut RawScan) {
     let Some(unit) = unit.filter(|u| *u != Unit::M) else { return };
     scan.content.beams.iter_mut().for_each(|b| b.offset *= unit.metres());
     scan.anchor *= unit.metres();
-    scan.notes.push(format!("its numbers are taken for {} (--file-unit {})", unit.name(), unit.option()));
+    scan.notes.push(format!("its numbers are taken for {} (--file-unit {})", unit.name(), word(&unit)));
 }

@@ -22,7 +22,8 @@ const SAMPLE: usize = 1000;
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
     let mut lines = Lines::open(path, bar)?;
     let head = Head::read(&mut lines, options)?;
-    let (dialect, columns) = (head.dialect(options)?, head.columns(options)?);
+    let dialect = head.dialect(options)?;
+    let columns = head.columns(dialect, options)?;
     let mut cloud = Cloud::new(dialect, &columns, options)?;
     cloud.promised = head.promised;
     for (number, line) in &head.rows {
@@ -110,11 +111,10 @@ impl Head {
         Ok(dialect)
     }
 
-    fn columns(&self, options: &ReadOptions) -> Result<Columns> {
+    fn columns(&self, dialect: Dialect, options: &ReadOptions) -> Result<Columns> {
         if let Some(given) = &options.columns {
             return Ok(given.clone());
         }
-        let dialect = self.dialect(options)?;
         let words = |(_, line): &(u64, String)| {
             dialect.learn(line).unwrap_or(dialect).words(line).iter().map(|&w| w.to_owned()).collect()
         };
@@ -174,6 +174,8 @@ fn cut(line: &str) -> String {
 struct Cloud<'a> {
     dialect: Dialect,
     columns: &'a Columns,
+    /// Coordinates first, and nothing else that is wanted.
+    is_plain: bool,
     places: [usize; 3],
     points: Vec<Beam>,
     planes: Planes,
@@ -183,15 +185,15 @@ struct Cloud<'a> {
 impl<'a> Cloud<'a> {
     fn new(dialect: Dialect, columns: &'a Columns, options: &ReadOptions) -> Result<Self> {
         let places = columns.coordinates().ok_or_else(|| anyhow!("no columns of coordinates"))?;
-        let planes = Planes::wanted(columns, options);
-        Ok(Self { dialect, columns, places, points: Vec::new(), planes, promised: None })
+        let (planes, is_plain) = (Planes::wanted(columns, options), *columns == Columns::plain());
+        Ok(Self { dialect, columns, is_plain, places, points: Vec::new(), planes, promised: None })
     }
 
     fn add(&mut self, line: &str, number: u64) -> Result<()> {
         if line.is_empty() || is_comment(line) {
             return Ok(());
         }
-        if *self.columns == Columns::plain()
+        if self.is_plain
             && let Some(p) = self.plain(line)
         {
             self.points.push(Beam { offset: p.into(), returned: true });

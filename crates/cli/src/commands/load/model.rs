@@ -20,7 +20,7 @@ use crate::read::ifc;
 pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -> Result<()> {
     let bar = spinner(&format!("meshing {}", file.display()));
     let model = ifc::read(file, args.reading.limits())?;
-    let model = model.in_unit(args.reading.file_unit).with_context(|| format!("{}", file.display()))?;
+    let model = model.in_unit(args.reading.options.file_unit).with_context(|| format!("{}", file.display()))?;
     bar.finish_and_clear();
     let source = source(file);
     let delete = names.sql("DELETE FROM @building_object WHERE source = $1::text");

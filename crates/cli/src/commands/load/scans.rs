@@ -36,7 +36,7 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
         if packed.beams == packed.no_returns {
             say!("  warning: {}: no return of it is left", head.name);
         }
-        if let (Some(_), Some(given)) = (head.world_from_scan, args.reading.origin)
+        if let (Some(_), Some(given)) = (head.world_from_scan, args.reading.options.origin)
             && head.anchor != <[f64; 3]>::from(given)
         {
             say!("  {}: the file tells the scanner's position, which goes before --origin", head.name);

@@ -19,73 +19,29 @@ pub use frame::ScanHead;
 pub use reader::{Event, Reader};
 pub use worker::answer;
 
-use clap::ValueEnum;
-
-use super::{Columns, IdentityPose, ReadOptions, Unit};
+use super::ReadOptions;
 
 /// What the worker is told on its command line.
 #[derive(clap::Args, Debug, Clone)]
 pub struct Job {
     /// File of scans
     pub file: PathBuf,
-    #[arg(long, value_parser = crate::commands::reading::parse_origin, allow_hyphen_values = true)]
-    pub origin: Option<asbuilt_core::geometry::Vec3>,
+    #[command(flatten)]
+    pub options: ReadOptions,
     #[arg(long, default_value_t = 0.0)]
     pub min_range: f64,
-    #[arg(long)]
-    pub intensity: bool,
-    #[arg(long)]
-    pub colour: bool,
-    #[arg(long)]
-    pub columns: Option<Columns>,
-    #[arg(long)]
-    pub decimal_comma: bool,
-    #[arg(long)]
-    pub file_unit: Option<Unit>,
-    #[arg(long)]
-    pub keep_noise: bool,
-    #[arg(long, default_value = "auto")]
-    pub identity_pose: IdentityPose,
     /// Bytes
     #[arg(long)]
     pub max_memory: u64,
 }
 
 impl Job {
-    fn options(&self) -> ReadOptions {
-        ReadOptions {
-            origin: self.origin,
-            intensity: self.intensity,
-            colour: self.colour,
-            columns: self.columns.clone(),
-            decimal_comma: self.decimal_comma,
-            file_unit: self.file_unit,
-            keep_noise: self.keep_noise,
-            identity_pose: self.identity_pose,
-        }
-    }
-
     fn command(&self) -> Result<Command> {
         let mut c = Command::new(std::env::current_exe()?);
         c.arg("read-scan")
             .arg(format!("--max-memory={}", self.max_memory))
-            .arg(format!("--min-range={}", self.min_range));
-        if let Some(o) = self.origin {
-            c.arg(format!("--origin={},{},{}", o.x, o.y, o.z));
-        }
-        c.args(self.columns.as_ref().map(|columns| format!("--columns={columns}")));
-        c.args(self.file_unit.map(|unit| format!("--file-unit={}", unit.option())));
-        if let Some(value) = self.identity_pose.to_possible_value() {
-            c.arg(format!("--identity-pose={}", value.get_name()));
-        }
-        for (is_set, flag) in [
-            (self.intensity, "--intensity"),
-            (self.colour, "--colour"),
-            (self.decimal_comma, "--decimal-comma"),
-            (self.keep_noise, "--keep-noise"),
-        ] {
-            c.args(is_set.then_some(flag));
-        }
+            .arg(format!("--min-range={}", self.min_range))
+            .args(self.options.arguments());
         c.arg("--").arg(&self.file);
         Ok(c)
     }

@@ -31,7 +31,7 @@ pub fn answer(job: &Job) -> Result<()> {
     let pipe = Pipe(Arc::new(Mutex::new(BufWriter::with_capacity(1 << 18, stdout()))));
     let bar = ProgressBar::hidden();
     tell(&pipe, &bar);
-    match read_scans(&job.file, &job.options(), &bar, &mut |scan| send(job, scan, &pipe)) {
+    match read_scans(&job.file, &job.options, &bar, &mut |scan| send(job, scan, &pipe)) {
         Ok(()) => pipe.send(Kind::End, &[]),
         Err(error) => pipe.send(Kind::Failure, format!("{error:#}").as_bytes()),
     }

@@ -1,7 +1,8 @@
 //! XML of an E57 file that its library refuses, set right: in Latin-1, or with an extension declared twice.
 
 use std::fs::File;
-use std::io::{BufReader, Seek};
+use std::io::{BufReader, Read, Seek};
+use std::path::Path;
 
 use anyhow::{Context, Result};
 use e57::E57Reader;
@@ -18,18 +19,22 @@ const XML_AT: usize = 24;
 
 pub type Reader = E57Reader<BufReader<Overlay<File>>>;
 
-/// Opens the file, its XML set right where need be; and what was done.
-pub fn open(file: File) -> Result<(Reader, Vec<String>)> {
-    let mut file = Overlay::new(file)?;
-    let Some((xml, note)) = mended(&mut file) else {
-        file.rewind()?;
-        let reader = E57Reader::new(BufReader::new(file)).context("not a readable E57 file")?;
-        return Ok((reader, Vec::new()));
+/// Opens the file; where the library refuses it, with its XML set right, and what was done.
+pub fn open(path: &Path) -> Result<(Reader, Vec<String>)> {
+    let again = || anyhow::Ok(Overlay::new(File::open(path).context("cannot open it")?)?);
+    let refused = match reader(again()?) {
+        Ok(reader) => return Ok((reader, Vec::new())),
+        Err(refused) => refused,
     };
+    let mut file = again()?;
+    let Some((xml, note)) = mended(&mut file) else { return Err(refused) };
     put_xml(&mut file, &xml)?;
+    Ok((reader(file)?, vec![note]))
+}
+
+fn reader(mut file: Overlay<File>) -> Result<Reader> {
     file.rewind()?;
-    let reader = E57Reader::new(BufReader::new(file)).context("not a readable E57 file")?;
-    Ok((reader, vec![note]))
+    E57Reader::new(BufReader::new(file)).context("not a readable E57 file")
 }
 
 /// The XML as it should be; `None` where it is, or cannot be read at all.
@@ -70,7 +75,6 @@ fn once(xml: &str) -> Option<String> {
 
 /// Puts the XML into pages behind the file's end, and its place into the head.
 fn put_xml(file: &mut Overlay<File>, xml: &str) -> Result<()> {
-    use std::io::Read;
     let start = file.len().next_multiple_of(PAGE as u64);
     let pages: Vec<u8> = xml.as_bytes().chunks(CONTENT).flat_map(page).collect();
     let mut head = vec![0; CONTENT];

@@ -18,7 +18,7 @@ use super::{Facts, NO_ROTATION, RawScan, ReadOptions, Sink, stem, unit};
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
     unit::check(1.0, options.file_unit)?;
     let length = check_head(path)?;
-    let (mut file, mut notes) = mend::open(std::fs::File::open(path).context("cannot open it")?)?;
+    let (mut file, mut notes) = mend::open(path)?;
     let clouds = file.pointclouds();
     if clouds.is_empty() {
         bail!("it holds no point cloud");

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::time::Duration;
 
-use super::cut::tests_random::Random;
+use super::cut::Random;
 use super::reader::{Limits, Progress};
 use super::told::{Task, Told};
 use super::{Model, Product, assemble, worker};

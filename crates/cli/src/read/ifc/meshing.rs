@@ -89,26 +89,33 @@ impl Meshing {
 
     /// Meshes a product with its openings cut out.
     pub fn mesh(&self, id: u32, warm: &mut Warm) -> Meshed {
-        let mut decoder = self.decoder(warm);
-        let router = self.router();
-        let meshed = self.produce(id, &mut decoder, &router);
-        warm.points = decoder.take_point_cache();
-        warm.placements = decoder.take_placement_transform_cache();
-        meshed
+        self.with_decoder(warm, |decoder, router| self.produce(id, decoder, router))
     }
 
     /// The product, or an opening, as it is without any cut.
     pub fn uncut(&self, id: u32, warm: &mut Warm) -> Option<Soup> {
-        let mut decoder = self.decoder(warm);
-        let router = self.router();
-        let parts = decoder.decode_by_id(id).ok().and_then(|e| router.process_element_parts(&e, &mut decoder).ok());
-        warm.points = decoder.take_point_cache();
-        warm.placements = decoder.take_placement_transform_cache();
+        let parts = self.with_decoder(warm, |decoder, router| {
+            let entity = decoder.decode_by_id(id).ok()?;
+            router.process_element_parts(&entity, decoder).ok()
+        });
         let mut soup = Soup::default();
         for Mesh { positions, indices, origin, .. } in parts?.iter().map(|m| m as &Mesh) {
             soup.add(positions, indices, |p| self.world(p, *origin));
         }
         Some(soup)
+    }
+
+    /// Lends `work` what the thread keeps.
+    fn with_decoder<T>(
+        &self,
+        warm: &mut Warm,
+        work: impl FnOnce(&mut EntityDecoder<'static>, &GeometryRouter) -> T,
+    ) -> T {
+        let mut decoder = self.decoder(warm);
+        let done = work(&mut decoder, &self.router());
+        warm.points = decoder.take_point_cache();
+        warm.placements = decoder.take_placement_transform_cache();
+        done
     }
 
     fn world(&self, position: [f64; 3], origin: [f64; 3]) -> [f64; 3] {

@@ -96,7 +96,6 @@ impl Worker {
         for (name, _) in std::env::vars_os().filter(|(n, _)| n.to_string_lossy().starts_with("IFC_LITE_")) {
             command.env_remove(name);
         }
-        command.env("IFC_LITE_LOCAL_FRAME", "1");
         let (mut child, words) = spawn(command)?;
         let line = serde_json::to_string(task)? + "\n";
         // Where it is gone, what it tells says why.

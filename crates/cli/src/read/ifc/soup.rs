@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use asbuilt_core::geometry::Vec3;
 use serde::{Deserialize, Serialize};
 
 /// A mesh, world metres.
@@ -48,9 +49,8 @@ impl Soup {
 
     /// Across a triangle, outwards; twice its area long.
     pub fn normal(&self, triangle: usize) -> [f64; 3] {
-        let [a, b, c] = self.corners(triangle);
-        let (u, v) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
-        [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+        let [a, b, c] = self.corners(triangle).map(Vec3::from);
+        (b - a).cross(&(c - a)).into()
     }
 
     /// The box around it; empty ones turn inside out.

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Seek};
 use std::path::Path;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Error, Result, anyhow, bail};
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use encoding_rs_io::DecodeReaderBytesBuilder;
 use indicatif::ProgressBar;
@@ -68,40 +68,55 @@ impl<'a> Lines<'a> {
 
     /// The next line, which must be there and start with `N` numbers.
     pub fn numbers<const N: usize>(&mut self, what: &str) -> Result<[f64; N]> {
-        let number = self.number + 1;
-        let Some(line) = self.next()? else { bail!("it ends after line {}, where {what} should follow", number - 1) };
-        let line = line.to_owned();
-        let learnt = self.dialect.learn(&line);
-        self.dialect = learnt.unwrap_or(self.dialect);
-        match learnt.and_then(|d| d.numbers::<N>(&line)) {
-            Some(n) => Ok(n),
-            None => bail!("line {number}: {what} expected ({N} numbers), found \"{line}\"{}", hint(&line)),
+        let number = self.number;
+        if self.next()?.is_none() {
+            bail!("it ends after line {number}, where {what} should follow");
+        }
+        let found = self.learnt().and_then(|d| d.numbers::<N>(&self.text));
+        found.ok_or_else(|| self.unlike(&format!("{what} expected ({N} numbers)")))
+    }
+
+    /// The three numbers that the next line that is not empty starts with; `None` at the end of the file.
+    pub fn point(&mut self, what: &str) -> Result<Option<[f64; 3]>> {
+        if !self.skip_empty()? {
+            return Ok(None);
+        }
+        let found = self.learnt().and_then(|d| d.numbers::<3>(&self.text));
+        found.map(Some).ok_or_else(|| self.unlike(&format!("{what} expected")))
+    }
+
+    /// The same at the places that the line's words tell.
+    pub fn chosen(&mut self, what: &str, places: impl Fn(&[&str]) -> Option<[usize; 3]>) -> Result<Option<[f64; 3]>> {
+        if !self.skip_empty()? {
+            return Ok(None);
+        }
+        let found = self.learnt().and_then(|d| {
+            let words = d.words(&self.text);
+            let [x, y, z] = places(&words)?.map(|place| words.get(place).and_then(|w| d.value(w)));
+            Some([x?, y?, z?])
+        });
+        found.map(Some).ok_or_else(|| self.unlike(&format!("{what} expected")))
+    }
+
+    /// Goes to the next line that is not empty; whether there is one.
+    fn skip_empty(&mut self) -> Result<bool> {
+        loop {
+            match self.next()? {
+                None => return Ok(false),
+                Some("") => {}
+                Some(_) => return Ok(true),
+            }
         }
     }
 
-    /// The numbers of the next line that is not empty, at the places that its words tell; `None` at the end of the file.
-    pub fn chosen(&mut self, what: &str, places: impl Fn(&[&str]) -> Option<[usize; 3]>) -> Result<Option<[f64; 3]>> {
-        loop {
-            let Some(line) = self.next()? else { return Ok(None) };
-            if line.is_empty() {
-                continue;
-            }
-            let line = line.to_owned();
-            let learnt = self.dialect.learn(&line);
-            let found = learnt.and_then(|d| {
-                let words = d.words(&line);
-                let mut out = [0.0; 3];
-                for (slot, place) in out.iter_mut().zip(places(&words)?) {
-                    *slot = d.value(words.get(place)?)?;
-                }
-                self.dialect = d;
-                Some(out)
-            });
-            return match found {
-                Some(numbers) => Ok(Some(numbers)),
-                None => bail!("line {}: {what} expected, found \"{line}\"{}", self.number, hint(&line)),
-            };
-        }
+    /// The dialect, with what this line adds to it; `None` where it contradicts those before.
+    fn learnt(&mut self) -> Option<Dialect> {
+        self.dialect = self.dialect.learn(&self.text)?;
+        Some(self.dialect)
+    }
+
+    fn unlike(&self, expected: &str) -> Error {
+        anyhow!("line {}: {expected}, found \"{}\"{}", self.number, self.text, hint(&self.text))
     }
 
     /// Number of the line read last.

@@ -13,15 +13,13 @@ mod grid;
 mod judge;
 mod kernel;
 mod line;
-#[cfg(test)]
-pub mod tests_random {
-    pub use super::judge::Random;
-}
 mod turned;
 
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
+#[cfg(test)]
+pub use judge::Random;
 use judge::{Finding, common, judge};
 
 use super::meshing::{Meshed, Meshing, Warm};

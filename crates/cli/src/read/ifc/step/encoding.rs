@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use encoding_rs::WINDOWS_1252;
+
 use super::document::Edits;
 use super::record::{comment_end, string_end};
 
@@ -35,24 +37,15 @@ pub fn readable<'a>(text: Cow<'a, [u8]>, words: &mut Vec<String>) -> Cow<'a, [u8
 
 /// `ä` as `\X2\00E4\X0\`.
 fn escaped(bytes: &[u8]) -> Vec<u8> {
-    let mut out = Vec::with_capacity(bytes.len() + 16);
-    for &b in bytes {
-        if b < 0x80 {
-            out.push(b);
+    let mut out = String::with_capacity(bytes.len() + 16);
+    for c in WINDOWS_1252.decode_without_bom_handling(bytes).0.chars() {
+        if c.is_ascii() {
+            out.push(c);
         } else {
-            out.extend(format!("\\X2\\{:04X}\\X0\\", windows_1252(b)).bytes());
+            out.push_str(&format!("\\X2\\{:04X}\\X0\\", u32::from(c)));
         }
     }
-    out
-}
-
-fn windows_1252(b: u8) -> u16 {
-    const HIGH: [u16; 32] = [
-        0x20AC, 0x81, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,
-        0x017D, 0x8F, 0x90, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A,
-        0x0153, 0x9D, 0x017E, 0x0178,
-    ];
-    HIGH.get(usize::from(b).wrapping_sub(0x80)).copied().unwrap_or_else(|| u16::from(b))
+    out.into_bytes()
 }
 
 #[cfg(test)]

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use encoding_rs::{Encoding, UTF_16BE, UTF_16LE};
+
 use super::record::skip_blank;
 
 const BEGINNING: &[u8] = b"ISO-10303-21";
@@ -10,15 +12,16 @@ const END: &[u8] = b"END-ISO-10303-21";
 /// The file from `ISO-10303-21` to behind `END-ISO-10303-21;`, in bytes that extend ASCII.
 pub fn open<'a>(bytes: &'a [u8], words: &mut Vec<String>) -> Result<Cow<'a, [u8]>, String> {
     match bytes {
-        [0xFF, 0xFE, rest @ ..] => Ok(Cow::Owned(trim(&utf16(rest, u16::from_le_bytes), words)?.to_vec())),
-        [0xFE, 0xFF, rest @ ..] => Ok(Cow::Owned(trim(&utf16(rest, u16::from_be_bytes), words)?.to_vec())),
+        [0xFF, 0xFE, rest @ ..] => Ok(Cow::Owned(trim(&utf16(rest, UTF_16LE), words)?.to_vec())),
+        [0xFE, 0xFF, rest @ ..] => Ok(Cow::Owned(trim(&utf16(rest, UTF_16BE), words)?.to_vec())),
         _ => trim(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes), words).map(Cow::Borrowed),
     }
 }
 
-fn utf16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> Vec<u8> {
-    let units = bytes.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
-    char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect::<String>().into_bytes()
+/// Half a unit at the end is none.
+fn utf16(bytes: &[u8], encoding: &'static Encoding) -> Vec<u8> {
+    let whole = &bytes[..bytes.len() & !1];
+    encoding.decode_without_bom_handling(whole).0.into_owned().into_bytes()
 }
 
 fn trim<'a>(bytes: &'a [u8], words: &mut Vec<String>) -> Result<&'a [u8], String> {

@@ -1,0 +1,92 @@
+//! How to read scans: on the command line of `load` and `inspect`, and of the process that reads for them.
+
+use asbuilt_core::geometry::Vec3;
+use asbuilt_core::num::text::numbers;
+use clap::ValueEnum;
+
+use super::{Columns, IdentityPose, Unit};
+
+#[derive(clap::Args, Debug, Clone, Default)]
+pub struct ReadOptions {
+    /// The scanner's position, for files that do not tell it
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_origin)]
+    pub origin: Option<Vec3>,
+    /// Keep the intensity of every return (E57, LAS, LAZ, texts with a column i); 1 to 2 bytes a beam more
+    #[arg(long)]
+    pub intensity: bool,
+    /// Keep the colour of every return (E57, LAS, LAZ, texts with columns r, g, b); up to 3 bytes a beam more
+    #[arg(long, alias = "color")]
+    pub colour: bool,
+    /// What the columns of a text of points hold, in their order: n (number), x, y, z, i (intensity), r, g, b, - (passed over)
+    #[arg(long, value_name = "n,x,y,z,…", allow_hyphen_values = true)]
+    pub columns: Option<Columns>,
+    /// A comma within a number of a text is its decimal mark, where the numbers themselves do not tell
+    #[arg(long)]
+    pub decimal_comma: bool,
+    /// What the numbers of a file count in that does not tell it itself
+    #[arg(long, value_name = "UNIT")]
+    pub file_unit: Option<Unit>,
+    /// Keep the points of LAS and LAZ that are classified as noise (classes 7 and 18)
+    #[arg(long)]
+    pub keep_noise: bool,
+    /// What to make of a scanner at zero without rotation, as merged clouds have it
+    #[arg(long, value_enum, default_value_t)]
+    pub identity_pose: IdentityPose,
+}
+
+impl ReadOptions {
+    /// As arguments of a command line.
+    pub fn arguments(&self) -> Vec<String> {
+        let mut out = vec![format!("--identity-pose={}", word(&self.identity_pose))];
+        out.extend(self.origin.map(|o| format!("--origin={},{},{}", o.x, o.y, o.z)));
+        out.extend(self.columns.as_ref().map(|columns| format!("--columns={columns}")));
+        out.extend(self.file_unit.map(|unit| format!("--file-unit={}", word(&unit))));
+        let flags = [
+            (self.intensity, "--intensity"),
+            (self.colour, "--colour"),
+            (self.decimal_comma, "--decimal-comma"),
+            (self.keep_noise, "--keep-noise"),
+        ];
+        out.extend(flags.iter().filter(|(is_set, _)| *is_set).map(|(_, flag)| (*flag).to_owned()));
+        out
+    }
+}
+
+/// A value as it is written on the command line.
+pub fn word(value: &impl ValueEnum) -> String {
+    value.to_possible_value().map(|v| v.get_name().to_owned()).unwrap_or_default()
+}
+
+fn parse_origin(text: &str) -> Result<Vec3, String> {
+    numbers::<3>(text).map(Vec3::from).ok_or_else(|| format!("\"{text}\" is not three numbers x,y,z"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        options: ReadOptions,
+    }
+
+    #[test]
+    fn what_is_handed_on_is_what_was_given() {
+        let given = ReadOptions {
+            origin: Some(Vec3::new(-0.1, 1e-7, 5e6)),
+            intensity: true,
+            colour: true,
+            columns: Some("-,y,x,z".parse().unwrap()),
+            decimal_comma: true,
+            file_unit: Some(Unit::UsFt),
+            keep_noise: true,
+            identity_pose: IdentityPose::Merged,
+        };
+        for options in [given, ReadOptions::default()] {
+            let line = Line::parse_from(["read-scan".to_owned()].into_iter().chain(options.arguments()));
+            assert_eq!(format!("{:?}", line.options), format!("{options:?}"));
+        }
+    }
+}
