@@ -1,4 +1,4 @@
-//! Curves that the geometry library reads otherwise than meant: polylines that are trimmed, sweeps around corners.
+//! Curves that the geometry library reads otherwise than meant: polylines and sweeps that are trimmed.
 
 use super::document::{Document, Edits};
 use super::profiles::polyline;
@@ -20,7 +20,7 @@ pub fn write_out_trimmed(document: &Document, free: &mut dyn Iterator<Item = u64
     }
 }
 
-fn points_of(document: &Document, polyline: u64) -> Option<Vec<Vec<f64>>> {
+pub fn points_of(document: &Document, polyline: u64) -> Option<Vec<Vec<f64>>> {
     let values = document.values_of(polyline, "IFCPOLYLINE")?;
     let points: Option<Vec<_>> = values.first()?.list().iter().map(|v| document.coordinates(v.reference()?)).collect();
     points.filter(|p| p.len() >= 2 && p.iter().all(|q| q.len() == p[0].len()))
@@ -79,43 +79,52 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
-/// Sweeps along a line of more than one segment, told of the sweep's number: with parameters 0…1 the standard means
-/// the first segment, though many who write it mean the whole; and around the corners the geometry library turns the
-/// profile.
-pub fn doubt_sweeps(document: &Document, notes: &mut Vec<(u64, String)>) {
+/// Sweeps whose parameters are 0…1 although their line has more than one segment: the standard means the first,
+/// those who write it mean the whole, and so it is taken. What is trimmed otherwise is told.
+pub fn take_whole(document: &Document, edits: &mut Edits, notes: &mut Vec<(u64, String)>) {
     // Kind, and where directrix and start parameter stand.
     let kinds = [
         ("IFCSURFACECURVESWEPTAREASOLID", 2, 3),
         ("IFCFIXEDREFERENCESWEPTAREASOLID", 2, 3),
-        ("IFCDIRECTRIXCURVESWEPTAREASOLID", 2, 3),
         ("IFCSWEPTDISKSOLID", 0, 3),
+        ("IFCSWEPTDISKSOLIDPOLYGONAL", 0, 3),
     ];
     for (keyword, directrix, start) in kinds {
         for record in document.all(keyword) {
             let values = document.values(record);
             let number = |i: usize| values.get(i).and_then(Value::number);
             let line = values.get(directrix).and_then(Value::reference);
-            let segments = line.map_or(0, |id| segments(document, id));
-            let is_first = number(start) == Some(0.0) && number(start + 1) == Some(1.0);
-            let doubt = match (is_first, directrix) {
+            let (segments, is_line) = line.map_or((0, false), |id| segments(document, id));
+            let told = match (number(start), number(start + 1)) {
                 _ if segments < 2 => continue,
-                (true, _) => format!(
-                    "its sweep is trimmed to the first of {segments} segments, as its parameters 0…1 say; if the whole \
-                     is meant, leave the parameters out"
-                ),
-                // A disk has no direction that could turn.
-                (false, 0) => continue,
-                _ => {
-                    format!("its sweep goes around the corners of {segments} segments: its profile may come out turned")
+                (Some(0.0), Some(1.0)) => {
+                    let pieces = document.argument_pieces(record);
+                    for piece in pieces.into_iter().skip(start).take(2) {
+                        edits.replace(piece, "$");
+                    }
+                    format!(
+                        "its parameters 0…1 would keep the first of {segments} segments; the whole was taken, as most \
+                         who write them mean it"
+                    )
                 }
+                (from, to) if is_line && (from > Some(0.0) || to.is_some_and(|to| to < segments as f64)) => {
+                    let (from, to) = (from.unwrap_or(0.0), to.unwrap_or(segments as f64));
+                    format!("its parameters {from}…{to} keep a part of its {segments} segments")
+                }
+                _ => continue,
             };
-            notes.push((record.id, doubt));
+            notes.push((record.id, told));
         }
     }
 }
 
-fn segments(document: &Document, line: u64) -> usize {
-    points_of(document, line).map_or(0, |p| p.len() - 1)
+/// How many there are, and whether they are a polyline's.
+fn segments(document: &Document, line: u64) -> (usize, bool) {
+    if let Some(points) = points_of(document, line) {
+        return (points.len() - 1, true);
+    }
+    let composite = document.values_of(line, "IFCCOMPOSITECURVE");
+    (composite.and_then(|v| Some(v.first()?.list().len())).unwrap_or(0), false)
 }
 
 #[cfg(test)]
@@ -126,7 +135,7 @@ mod tests {
         let document = Document::new(text.as_bytes());
         let (mut edits, mut notes) = (Edits::default(), Vec::new());
         write_out_trimmed(&document, &mut document.free_numbers(), &mut edits);
-        doubt_sweeps(&document, &mut notes);
+        take_whole(&document, &mut edits, &mut notes);
         (String::from_utf8(edits.apply(text.as_bytes())).unwrap(), notes.into_iter().map(|n| n.1).collect())
     }
 
@@ -151,8 +160,9 @@ mod tests {
     #[test]
     fn parameters_of_a_sweep() {
         let sweep = |rest: &str| rewritten(&format!("{LINE}#9=IFCSURFACECURVESWEPTAREASOLID(#6,$,#4,{rest},#8);"));
-        assert!(sweep("0. /* a, b */,1.").1[0].contains("first of 2"));
-        assert!(sweep("$,$").1[0].contains("corners of 2"));
-        assert!(rewritten(&format!("{LINE}#9=IFCSWEPTDISKSOLID(#4,1.,$,$,$);")).1.is_empty());
+        let (text, said) = sweep("0. /* a, b */,1.");
+        assert!(text.contains("(#6,$,#4,$,$,#8)") && said[0].contains("first of 2"), "{text}");
+        assert!(sweep("$,$").1.is_empty() && sweep("0.,2.").1.is_empty());
+        assert!(sweep("0.,1.5").1[0].contains("0…1.5 keep a part"));
     }
 }

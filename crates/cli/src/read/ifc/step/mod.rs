@@ -4,18 +4,23 @@
 //! * [`encoding`]: names that are no UTF-8;
 //! * [`numbers`]: numbers of records beyond 32 bits;
 //! * [`profiles`], [`curves`]: shapes that the library lacks or reads otherwise than meant;
+//! * [`dense`]: profiles that it would thin out; [`library`]: what is asked of it;
+//! * [`sweep`]: solids that it narrows at corners, or lacks;
 //! * [`turn`]: a model turned as a whole;
 //! * [`units`], [`map_conversion`]: what is read of it beside the geometry;
 //! * [`record`], [`value`], [`document`]: the text, record by record.
 
 mod curves;
+mod dense;
 mod document;
 mod encoding;
 mod envelope;
+mod library;
 mod map_conversion;
 mod numbers;
 mod profiles;
 mod record;
+mod sweep;
 mod turn;
 mod units;
 mod value;
@@ -57,6 +62,8 @@ impl<'a> Step<'a> {
         let length_unit = units::project_metres(&document);
         let edits = edits(&document, &mut notes);
         let text = if edits.is_empty() { text } else { Cow::Owned(edits.apply(&text)) };
+        let text = dense::keep(text, angle);
+        let text = sweep::write_out(text, angle, &mut notes);
         Ok(Self { text, words, notes, original, angle, map_conversion, length_unit })
     }
 
@@ -71,7 +78,7 @@ fn edits(document: &Document, notes: &mut Vec<(u64, String)>) -> Edits {
     let mut free = document.free_numbers();
     profiles::write_out(document, &mut free, &mut edits);
     curves::write_out_trimmed(document, &mut free, &mut edits);
-    curves::doubt_sweeps(document, notes);
+    curves::take_whole(document, &mut edits, notes);
     // Legal in IFC2x3, where it is no abstract type yet; of the same three attributes.
     for record in document.all("IFCPRODUCTREPRESENTATION") {
         edits.replace(record.keyword.clone(), "IFCPRODUCTDEFINITIONSHAPE");

@@ -1,5 +1,6 @@
 //! Profiles that the geometry library does not know, or draws otherwise than the standard: written out as polygons.
 
+use super::curves::points_of;
 use super::document::{Document, Edits};
 use super::record::Record;
 use super::value::Value;
@@ -11,17 +12,26 @@ type Point = [f64; 2];
 type Outline = fn(&[f64]) -> Option<Vec<Point>>;
 
 /// Corners of an ellipse: its area comes out 0.04 % short.
-const ELLIPSE_CORNERS: usize = 128;
+pub const ELLIPSE_CORNERS: usize = 128;
+/// Corners of a circle, as the geometry library draws it.
+pub const CIRCLE_CORNERS: usize = 36;
 /// Steps of a rounded corner.
 const FILLET_STEPS: usize = 6;
 
-/// Writes out the ellipses, trapezia and Z shapes.
+/// Writes out the ellipses, trapezia, Z shapes, and lines with a thickness.
 pub fn write_out(document: &Document, free: &mut dyn Iterator<Item = u64>, edits: &mut Edits) {
     let kinds: [(&str, Outline); 3] = [
-        ("IFCELLIPSEPROFILEDEF", |n| ellipse(n.first_chunk()?)),
+        ("IFCELLIPSEPROFILEDEF", |n| ellipse(n.first_chunk()?, ELLIPSE_CORNERS)),
         ("IFCTRAPEZIUMPROFILEDEF", |n| trapezium(n.first_chunk()?)),
         ("IFCZSHAPEPROFILEDEF", |n| z_shape(n)),
     ];
+    for record in document.all("IFCCENTERLINEPROFILEDEF") {
+        let values = document.values(record);
+        let line = values.get(2).and_then(|v| points_of(document, v.reference()?));
+        if let Some(outline) = line.and_then(|line| widened(&line, values.get(3)?.number()?)) {
+            write(document, record, &values, &outline, free, edits);
+        }
+    }
     for (keyword, outline) in kinds {
         for record in document.all(keyword) {
             let values = document.values(record);
@@ -34,9 +44,9 @@ pub fn write_out(document: &Document, free: &mut dyn Iterator<Item = u64>, edits
     }
 }
 
-fn ellipse(&[a, b]: &[f64; 2]) -> Option<Vec<Point>> {
-    let at = |i: usize| (std::f64::consts::TAU * i as f64 / ELLIPSE_CORNERS as f64).sin_cos();
-    (a > 0.0 && b > 0.0).then(|| (0..ELLIPSE_CORNERS).map(at).map(|(sin, cos)| [a * cos, b * sin]).collect())
+pub fn ellipse(&[a, b]: &[f64; 2], corners: usize) -> Option<Vec<Point>> {
+    let at = |i: usize| (std::f64::consts::TAU * i as f64 / corners as f64).sin_cos();
+    (a > 0.0 && b > 0.0).then(|| (0..corners).map(at).map(|(sin, cos)| [a * cos, b * sin]).collect())
 }
 
 /// Its box is centred below; `offset` is from the bottom's left end to the top's.
@@ -56,6 +66,27 @@ fn z_shape(numbers: &[f64]) -> Option<Vec<Point>> {
     let half = [([-w, -y], 0.0), ([x, -y], 0.0), ([x, flange - y], edge), ([w, flange - y], fillet)];
     let all: Vec<(Point, f64)> = half.into_iter().chain(half.map(|([x, y], radius)| ([-x, -y], radius))).collect();
     is_sound.then(|| rounded(&all))
+}
+
+/// Half the thickness to each side of an open line, mitred at its corners; none where it turns back.
+fn widened(line: &[Vec<f64>], thickness: f64) -> Option<Vec<Point>> {
+    const BACK_COS: f64 = -0.98;
+    let line: Vec<Point> = line.iter().map(|p| p.first_chunk().copied()).collect::<Option<_>>()?;
+    let normal = |s: &[Point]| {
+        let [x, y] = [s[1][0] - s[0][0], s[1][1] - s[0][1]];
+        let length = x.hypot(y);
+        (length > 0.0).then(|| [-y / length, x / length])
+    };
+    let normals: Vec<Point> = line.windows(2).map(normal).collect::<Option<_>>()?;
+    let offset = |i: usize| {
+        let (a, b) = (normals[i.max(1) - 1], normals[i.min(normals.len() - 1)]);
+        let cos = a[0] * b[0] + a[1] * b[1];
+        (cos > BACK_COS).then(|| [0, 1].map(|k| thickness / 2.0 * (a[k] + b[k]) / (1.0 + cos)))
+    };
+    let offsets: Vec<Point> = (0..line.len()).map(offset).collect::<Option<_>>()?;
+    let side = |sign: f64| line.iter().zip(&offsets).map(move |(p, o)| [p[0] + sign * o[0], p[1] + sign * o[1]]);
+    let is_open = line.first() != line.last();
+    (thickness > 0.0 && is_open).then(|| side(-1.0).chain(side(1.0).collect::<Vec<_>>().into_iter().rev()).collect())
 }
 
 /// A polygon whose corners are rounded; a radius that does not fit between its neighbours is left out.
@@ -85,7 +116,7 @@ fn rounded(corners: &[(Point, f64)]) -> Vec<Point> {
 }
 
 /// Moved by an IfcAxis2Placement2D, if there is one.
-fn placed(document: &Document, position: &Value, outline: Vec<Point>) -> Option<Vec<Point>> {
+pub fn placed(document: &Document, position: &Value, outline: Vec<Point>) -> Option<Vec<Point>> {
     let Some(id) = position.reference() else { return Some(outline) };
     let placement = document.values_of(id, "IFCAXIS2PLACEMENT2D")?;
     let &[x, y] = document.coordinates(placement.first()?.reference()?)?.first_chunk()?;
@@ -142,7 +173,9 @@ mod tests {
 
     #[test]
     fn areas_and_widths() {
-        assert!((area(&ellipse(&[0.8, 0.2]).unwrap()) / (std::f64::consts::PI * 0.16) - 1.0).abs() < 5e-4);
+        assert!(
+            (area(&ellipse(&[0.8, 0.2], ELLIPSE_CORNERS).unwrap()) / (std::f64::consts::PI * 0.16) - 1.0).abs() < 5e-4
+        );
         assert!((area(&trapezium(&[1.0, 0.6, 0.5, 0.2]).unwrap()) - 0.4).abs() < 1e-12);
         let z = z_shape(&[0.2, 0.1, 0.01, 0.02]).unwrap();
         assert!((area(&z) - (2.0 * 0.1 * 0.02 + 0.16 * 0.01)).abs() < 1e-12);
@@ -151,7 +184,14 @@ mod tests {
         // A fillet adds, an edge takes away, (1 − π/4) r² each.
         let spared = 2.0 * (1.0 - std::f64::consts::FRAC_PI_4) * (0.01f64.powi(2) - 0.005f64.powi(2));
         assert!((area(&soft) - area(&z) - spared).abs() < 0.05 * spared);
-        assert!(z_shape(&[0.2, 0.1, 0.01]).is_none() && ellipse(&[0.0, 1.0]).is_none());
+        assert!(z_shape(&[0.2, 0.1, 0.01]).is_none() && ellipse(&[0.0, 1.0], 36).is_none());
+    }
+
+    #[test]
+    fn a_line_with_a_thickness() {
+        let line = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]].map(|p| p.to_vec());
+        assert!((area(&widened(&line, 0.2).unwrap()) - 1.4).abs() < 1e-12);
+        assert!(widened(&[vec![0.0, 0.0], vec![1.0, 0.0], vec![0.0, 0.0]], 0.2).is_none());
     }
 
     #[test]
