@@ -9,7 +9,7 @@ use super::told::{Task, Told};
 use super::{Model, Product, assemble, worker};
 
 /// Meshes a text within this process.
-fn model(bytes: &[u8]) -> Result<Model, String> {
+pub fn model(bytes: &[u8]) -> Result<Model, String> {
     let limits = Limits::default();
     let within =
         worker::WorkerLimits { memory: u64::MAX, product_time: Duration::from_secs(60), product_memory: u64::MAX };
@@ -22,7 +22,7 @@ fn model(bytes: &[u8]) -> Result<Model, String> {
     assemble::model(progress).map_err(|e| format!("{e:#}"))
 }
 
-fn volume(p: &Product) -> f64 {
+pub fn volume(p: &Product) -> f64 {
     p.solid().unwrap().map_or(f64::NAN, |s| s.volume().unwrap_or(f64::NAN))
 }
 
@@ -153,13 +153,13 @@ impl Wall {
 }
 
 /// A STEP file in the making.
-struct File {
+pub struct File {
     text: String,
-    last: u32,
+    pub last: u32,
 }
 
 impl File {
-    fn new() -> Self {
+    pub fn new() -> Self {
         let text = "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('x','2024-01-01T00:00:00',(''),(''),'','','');\n\
             FILE_SCHEMA(('IFC4'));\nENDSEC;\nDATA;\n#1=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);\n#3=IFCUNITASSIGNMENT((#1));\n\
             #4=IFCCARTESIANPOINT((0.,0.,0.));\n#5=IFCAXIS2PLACEMENT3D(#4,$,$);\n\
@@ -168,7 +168,7 @@ impl File {
         Self { text: text.into(), last: 9 }
     }
 
-    fn add(&mut self, record: std::fmt::Arguments) -> u32 {
+    pub fn add(&mut self, record: std::fmt::Arguments) -> u32 {
         self.last += 1;
         let _ = writeln!(self.text, "#{}={record};", self.last);
         self.last
@@ -203,7 +203,7 @@ impl File {
         self
     }
 
-    fn text(self) -> String {
+    pub fn text(self) -> String {
         self.text + "ENDSEC;\nEND-ISO-10303-21;\n"
     }
 }

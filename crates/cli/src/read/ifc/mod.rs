@@ -18,6 +18,8 @@ mod meshing;
 mod reach;
 mod reader;
 mod relations;
+#[cfg(test)]
+mod shape_tests;
 mod soup;
 mod step;
 mod table;

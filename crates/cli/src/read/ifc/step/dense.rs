@@ -20,11 +20,18 @@ const LONGEST: f64 = 0.10;
 /// Profiles of more points are left alone.
 const MOST_POINTS: usize = 4096;
 
+const KINDS: [&str; 2] = ["IFCARBITRARYCLOSEDPROFILEDEF", "IFCARBITRARYPROFILEDEFWITHVOIDS"];
+
+pub fn is_needed(document: &Document) -> bool {
+    let is_candidate = |record| curves(document, record).iter().any(|&id| may_be_dense(document, id));
+    KINDS.iter().any(|keyword| document.all(keyword).any(is_candidate))
+}
+
 pub fn keep(text: Cow<'_, [u8]>, angle: Option<f64>) -> Cow<'_, [u8]> {
     let document = Document::new(&text);
     let mut free = document.free_numbers();
     let (mut edits, mut library) = (Edits::default(), None);
-    for keyword in ["IFCARBITRARYCLOSEDPROFILEDEF", "IFCARBITRARYPROFILEDEFWITHVOIDS"] {
+    for keyword in KINDS {
         for record in document.all(keyword) {
             let curves = curves(&document, record);
             if !curves.iter().any(|&id| may_be_dense(&document, id)) {

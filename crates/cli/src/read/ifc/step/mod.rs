@@ -53,7 +53,7 @@ impl<'a> Step<'a> {
     pub fn read(bytes: &'a [u8]) -> Result<Self, String> {
         let (mut words, mut notes, mut original) = (Vec::new(), Vec::new(), HashMap::new());
         let text = encoding::readable(envelope::open(bytes, &mut words)?, &mut words);
-        let text = numbers::within_reach(text, &mut original);
+        let text = numbers::within_reach(text, &mut original)?;
         let document = Document::new(&text);
         let mended = units::mended_angle(&document);
         let angle = mended.as_ref().map(|m| m.0);
@@ -61,9 +61,12 @@ impl<'a> Step<'a> {
         let map_conversion = MapConversion::read(&document);
         let length_unit = units::project_metres(&document);
         let edits = edits(&document, &mut notes);
+        // What was written out may be dense.
+        let (may_be_dense, has_sweeps) =
+            (!edits.is_empty() || dense::is_needed(&document), sweep::is_needed(&document));
         let text = if edits.is_empty() { text } else { Cow::Owned(edits.apply(&text)) };
-        let text = dense::keep(text, angle);
-        let text = sweep::write_out(text, angle, &mut notes);
+        let text = if may_be_dense { dense::keep(text, angle) } else { text };
+        let text = if has_sweeps { sweep::write_out(text, angle, &mut notes) } else { text };
         Ok(Self { text, words, notes, original, angle, map_conversion, length_unit })
     }
 

@@ -7,10 +7,15 @@ use super::document::{Document, Edits, MAX_NUMBER};
 use super::value::references;
 
 /// Gives records beyond the library's numbers free ones; `original` holds what each was.
-pub fn within_reach<'a>(text: Cow<'a, [u8]>, original: &mut HashMap<u64, u64>) -> Cow<'a, [u8]> {
+pub fn within_reach<'a>(text: Cow<'a, [u8]>, original: &mut HashMap<u64, u64>) -> Result<Cow<'a, [u8]>, String> {
+    if !has_long_number(&text) {
+        return Ok(text);
+    }
     let document = Document::new(&text);
-    if document.records().last().is_none_or(|r| r.id <= MAX_NUMBER) {
-        return text;
+    let mut is_endless = false;
+    references(&text, 0, |_, id| is_endless |= id == u64::MAX);
+    if is_endless {
+        return Err("a record has a number of more than 19 digits: number its records anew".into());
     }
     let mut free = document.free_numbers();
     let mut small: HashMap<u64, u64> = HashMap::new();
@@ -27,7 +32,14 @@ pub fn within_reach<'a>(text: Cow<'a, [u8]>, original: &mut HashMap<u64, u64>) -
         }
     });
     original.extend(small.into_iter().map(|(big, new)| (new, big)));
-    Cow::Owned(edits.apply(&text))
+    Ok(if edits.is_empty() { text } else { Cow::Owned(edits.apply(&text)) })
+}
+
+/// Whether a number may lie beyond 32 bits.
+fn has_long_number(text: &[u8]) -> bool {
+    const DIGITS: usize = 10;
+    let behind = |at: usize| text.get(at + 1..at + 1 + DIGITS).unwrap_or_default();
+    memchr::memchr_iter(b'#', text).any(|at| behind(at).iter().filter(|b| b.is_ascii_digit()).count() == DIGITS)
 }
 
 #[cfg(test)]
@@ -38,9 +50,14 @@ mod tests {
     fn big_numbers_become_free_ones_wherever_they_stand() {
         let mut original = HashMap::new();
         let text = b"#21=W('#5000000001',#5000000001);#5000000001=W(#21,#4294967317,#6000000000);#4294967317=X();";
-        let seen = within_reach(Cow::Borrowed(text), &mut original).into_owned();
+        let seen = within_reach(Cow::Borrowed(text), &mut original).unwrap().into_owned();
         let seen = String::from_utf8(seen).unwrap();
         assert_eq!(seen, "#21=W('#5000000001',#23);#23=W(#21,#22,$);#22=X();");
         assert_eq!(original, HashMap::from([(22, 4294967317), (23, 5000000001)]));
+        // None refers to another by chance, even where no record is that far.
+        let dangling = within_reach(Cow::Borrowed(b"#1=X(#4294967298);#2=Y();"), &mut original).unwrap();
+        assert_eq!(&dangling[..], b"#1=X($);#2=Y();");
+        let endless = within_reach(Cow::Borrowed(b"#1=X(#99999999999999999999);"), &mut original);
+        assert!(endless.unwrap_err().contains("19 digits"));
     }
 }

@@ -61,11 +61,11 @@ impl Iterator for Records<'_> {
     }
 }
 
-/// The number that stands here, and where it ends.
+/// The number that stands here, and where it ends; one that is too large is the largest.
 pub fn number(text: &[u8], start: usize) -> Option<(u64, usize)> {
     let digits = text.get(start..)?.iter().take_while(|b| b.is_ascii_digit()).count();
     let end = start + digits;
-    std::str::from_utf8(&text[start..end]).ok()?.parse().ok().map(|n| (n, end))
+    (digits > 0).then(|| (std::str::from_utf8(&text[start..end]).map_or(0, |s| s.parse().unwrap_or(u64::MAX)), end))
 }
 
 /// Behind white space and comments.

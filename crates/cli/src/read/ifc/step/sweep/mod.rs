@@ -42,6 +42,10 @@ const KINDS: [(&str, Kind); 6] = [
     ("IFCREVOLVEDAREASOLIDTAPERED", Kind::TaperedRevolution),
 ];
 
+pub fn is_needed(document: &Document) -> bool {
+    KINDS.iter().any(|(keyword, _)| document.all(keyword).next().is_some())
+}
+
 /// Writes them out; what cannot be built stays as it is, with a note where the library's own may be wrong.
 pub fn write_out<'a>(text: Cow<'a, [u8]>, angle: Option<f64>, notes: &mut Vec<(u64, String)>) -> Cow<'a, [u8]> {
     let document = Document::new(&text);
