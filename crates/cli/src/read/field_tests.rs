@@ -230,3 +230,30 @@ fn units_that_are_given_count_where_the_file_says_none() {
     assert!((world(&scans[0])[0] - Vec3::from(FIVE[0]) * 0.3048).norm() < 1e-12);
     assert!(scans[0].notes[0].contains("feet"));
 }
+
+/// A comma that may be either mark is asked for wherever numbers are text, and told by the same option.
+#[test]
+fn decimal_commas_are_told() {
+    let rows = "1,250 2,500 0,750\n1,500 2,500 0,750\n1,750 2,500 0,750\n1,250 2,750 0,750\n1,500 2,750 1,000\n";
+    // Zeros before the comma tell; here nothing does.
+    let unclear = rows.replace("0,", "1,");
+    let right: Vec<[f64; 3]> = FIVE.iter().map(|p| [p[0], p[1], if p[2] < 1.0 { 1.75 } else { 1.0 }]).collect();
+    let floats = "property float x\nproperty float y\nproperty float z\n";
+    let ptx = "5\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n";
+    let told = ReadOptions { decimal_comma: true, ..ReadOptions::default() };
+    for (name, text) in [
+        ("told.xyz", unclear.clone()),
+        ("told.ply", ply(floats, &unclear)),
+        ("told.pcd", pcd("x y z", "F F F", "0 0 0 1 0 0 0", &unclear)),
+        ("told.ptx", format!("{ptx}{unclear}")),
+    ] {
+        let path = std::env::temp_dir().join(format!("asbuilt-{}-{name}", std::process::id()));
+        std::fs::write(&path, &text).unwrap();
+        let refused = read(&path, &ReadOptions::default()).err().map(|e| format!("{e:#}"));
+        assert!(refused.as_ref().is_some_and(|e| e.contains("--decimal-comma")), "{name}: {refused:?}");
+        let points: Vec<Vec3> = read(&path, &told).unwrap().iter().flat_map(world).collect();
+        let same = points.iter().zip(&right).all(|(a, b)| (a - Vec3::from(*b)).amax() < 1e-6);
+        assert!(points.len() == 5 && same, "{name}: {points:?}");
+        std::fs::remove_file(path).unwrap();
+    }
+}

@@ -14,7 +14,7 @@ use super::{Facts, NO_ROTATION, RawScan, ReadOptions, Sink, stem, unit};
 
 /// Reads every scan of the file.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
-    let mut lines = Lines::open(path, bar)?;
+    let mut lines = Lines::open(path, bar)?.with_decimal_commas(options.decimal_comma);
     let mut number = 0;
     while let Some(columns) = next_count(&mut lines)? {
         let rows = lines.numbers::<1>("the number of rows")?[0];

@@ -208,6 +208,28 @@ impl File {
     }
 }
 
+/// A cut that cannot be judged is marked: an opening that nobody can mesh, one whose surface is open.
+#[test]
+fn what_cannot_be_judged_is_marked() {
+    let wall = Wall { degrees: 0.0, size: [4.0, 0.3, 3.0], openings: vec![[1.0, 1.0, 1.0, 1.0, -0.2, 0.2]] };
+    let text = File::new().wall(&wall).text();
+    let at = text.rfind("IFCEXTRUDEDAREASOLID").unwrap();
+    let end = at + text[at..].find(';').unwrap();
+    let with = |solid: &str| format!("{}{solid}{}", &text[..at], &text[end..]);
+    let corners = "IFCCARTESIANPOINTLIST3D(((1.,-1.,1.),(2.,-1.,1.),(2.,1.,1.),(1.,1.,1.),\
+        (1.,-1.,2.),(2.,-1.,2.),(2.,1.,2.),(1.,1.,2.)))";
+    // A box without its lid.
+    let open = format!(
+        "IFCTRIANGULATEDFACESET(#900,$,.F.,((1,3,2),(1,4,3),(1,2,6),(1,6,5),(2,3,7),(2,7,6),(3,4,8),(3,8,7),(4,1,5),\
+         (4,5,8)),$);\n#900={corners}"
+    );
+    for (solid, word) in [("IFCNOSUCHSOLID($)", "was not cut out"), (open.as_str(), "do not trust its openings")] {
+        let model = model(with(solid).as_bytes()).unwrap();
+        let said = &model.noted[0];
+        assert!(said.0.starts_with("IfcWall wall") && said.1.contains(word), "{solid}: {said:?}");
+    }
+}
+
 /// Of 200 walls at most 4 may be marked instead of right, none may be wrong without a mark.
 #[test]
 fn recesses_and_windows() {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use ifc_lite_core::{EntityDecoder, EntityIndex, EntityScanner, UnitScales, keyword_eq};
+use ifc_lite_geometry::representation::product_shape_id;
 use ifc_lite_geometry::{
     GeometryRouter, ItemDedupCache, Mesh, RouterConfig, SharedBrepSignatureCache, SharedMappedItemCache,
     TessellationQuality, format_unsupported_breakdown, void_index_from_content,
@@ -103,6 +104,14 @@ impl Meshing {
             soup.add(positions, indices, |p| self.world(p, *origin));
         }
         Some(soup)
+    }
+
+    /// Whether a product has any shape at all.
+    pub fn is_drawn(&self, id: u32, warm: &mut Warm) -> bool {
+        self.with_decoder(warm, |decoder, _| {
+            let entity = decoder.decode_by_id(id).ok();
+            entity.and_then(|e| product_shape_id(&e)).is_some()
+        })
     }
 
     /// Lends `work` what the thread keeps.

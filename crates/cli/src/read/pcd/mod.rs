@@ -20,7 +20,7 @@ use header::{Field, Header, Storage};
 
 /// Reads all points.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
-    let mut lines = Lines::open(path, bar)?;
+    let mut lines = Lines::open(path, bar)?.with_decimal_commas(options.decimal_comma);
     let header = Header::read(&mut lines)?;
     let places = [header.place("x")?, header.place("y")?, header.place("z")?];
     bar.set_length(header.points);

@@ -60,7 +60,10 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     let places = places(element)?;
     bar.set_length(element.count as u64);
     let points = match header.encoding {
-        Encoding::Ascii => ascii(file, lines, &header, places, bar)?,
+        Encoding::Ascii => {
+            let lines = Lines::of(Box::new(file), lines, bar).with_decimal_commas(options.decimal_comma);
+            ascii(lines, &header, places, bar)?
+        }
         _ => binary(Reader::new(file), &header, bar)?,
     };
     let mut scan = scan_of_points(path, points, options)?;
@@ -143,14 +146,7 @@ fn binary(mut reader: Reader<BufReader<File>>, header: &Header, bar: &ProgressBa
 }
 
 /// Lines of words. The library's grammar refuses `nan`, `.5`, `1.` and decimal commas, which real files hold.
-fn ascii(
-    file: BufReader<File>,
-    header_lines: u64,
-    header: &Header,
-    places: [usize; 3],
-    bar: &ProgressBar,
-) -> Result<Vec<Vec3>> {
-    let mut lines = Lines::of(Box::new(file), header_lines, bar);
+fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBar) -> Result<Vec<Vec3>> {
     for (name, element) in &header.elements {
         if name != "vertex" {
             for _ in 0..element.count {

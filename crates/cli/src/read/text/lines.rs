@@ -9,7 +9,7 @@ use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use encoding_rs_io::DecodeReaderBytesBuilder;
 use indicatif::ProgressBar;
 
-use super::dialect::{Dialect, hint};
+use super::dialect::{Comma, Dialect, hint};
 
 /// A text file, line by line; the progress bar counts bytes.
 pub struct Lines<'a> {
@@ -38,6 +38,12 @@ impl<'a> Lines<'a> {
     /// Goes on where `reader` stands, behind line `number`.
     pub fn of(reader: Box<dyn BufRead>, number: u64, bar: &'a ProgressBar) -> Self {
         Self { reader, line: Vec::new(), text: String::new(), number, dialect: Dialect::default(), bar }
+    }
+
+    /// Where the user says so, a comma within a number is its decimal mark.
+    pub fn with_decimal_commas(mut self, are_decimal: bool) -> Self {
+        self.dialect.comma = are_decimal.then_some(Comma::Decimal);
+        self
     }
 
     /// The next line without its end and blanks around it; `None` at the end of the file.

@@ -62,8 +62,18 @@ impl Cutter {
             return cut;
         }
         let start = Instant::now();
-        if let Some((host, tools)) = self.operands(id, warm).filter(|(_, tools)| !tools.is_empty()) {
-            self.prove(id, &host, &tools, &mut cut);
+        let (tools, lost) = self.tools(id, warm);
+        match self.upright.uncut(id, warm) {
+            Some(host) => {
+                let tools: Vec<Soup> = tools.into_iter().filter(|tool| reaches(&host, tool)).collect();
+                if !tools.is_empty() {
+                    self.prove(id, &host, &tools, &mut cut);
+                }
+            }
+            None => cut.unproven = Some(UNJUDGED.into()),
+        }
+        if !lost.is_empty() {
+            cut.unproven = Some(format!("{} has no geometry that can be meshed: it was not cut out", named(&lost)));
         }
         cut.check = start.elapsed();
         cut
@@ -79,7 +89,11 @@ impl Cutter {
             Some(grid) => (judge(host, tools, &cut.meshed.soup, 4), Some(grid.soup)),
             None => (judge(host, tools, &cut.meshed.soup, LINES), None),
         };
-        let Finding::Wrong(off) = finding else { return };
+        let off = match finding {
+            Finding::Right => return,
+            Finding::Open => return cut.unproven = Some(UNJUDGED.into()),
+            Finding::Wrong(off) => off,
+        };
         let is_right = |left: &Soup| judge(host, tools, left, LINES) == Finding::Right;
         let exact = exact.filter(is_right).or_else(|| kernel::subtract(host, tools).filter(is_right));
         match exact.or_else(|| self.again(id, is_right)) {
@@ -95,16 +109,17 @@ impl Cutter {
         }
     }
 
-    /// The product uncut, and those of its openings that reach it.
-    fn operands(&self, id: u32, warm: &mut Warm) -> Option<(Soup, Vec<Soup>)> {
-        let host = self.upright.uncut(id, warm)?;
-        let tools = self.upright.openings(id).iter().filter_map(|&opening| self.upright.uncut(opening, warm));
-        let reaches = |tool: &Soup| {
-            let (low, high) = common(&host, tool);
-            (0..3).all(|k| high[k] > low[k])
-        };
-        let tools = tools.filter(reaches).collect();
-        Some((host, tools))
+    /// Its openings, and the numbers of those that are drawn but cannot be meshed.
+    fn tools(&self, id: u32, warm: &mut Warm) -> (Vec<Soup>, Vec<u32>) {
+        let (mut tools, mut lost) = (Vec::new(), Vec::new());
+        for &opening in self.upright.openings(id) {
+            match self.upright.uncut(opening, warm) {
+                Some(tool) if !tool.triangles.is_empty() => tools.push(tool),
+                _ if self.upright.is_drawn(opening, warm) => lost.push(opening),
+                _ => {}
+            }
+        }
+        (tools, lost)
     }
 
     /// The first cut in a turned model that is right.
@@ -116,6 +131,19 @@ impl Cutter {
             is_right(&soup).then_some(soup)
         })
     }
+}
+
+const UNJUDGED: &str = "whether its openings are cut as they are drawn cannot be told: it, or one of them, is no closed \
+    solid; look at its openings before you trust them";
+
+fn reaches(host: &Soup, tool: &Soup) -> bool {
+    let (low, high) = common(host, tool);
+    (0..3).all(|k| high[k] > low[k])
+}
+
+fn named(openings: &[u32]) -> String {
+    let all: Vec<String> = openings.iter().map(|id| format!("#{id}")).collect();
+    format!("opening {}", all.join(", "))
 }
 
 fn doubt(off: f64) -> String {
