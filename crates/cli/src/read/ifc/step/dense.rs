@@ -1,7 +1,9 @@
 //! Profiles drawn by many short edges: the geometry library takes them for smooth curves and thins them out by up to
-//! 10 mm, more than many a tolerance. Drawn larger, and made small again by an operator, they keep their points.
+//! 10 mm, more than many a tolerance. Here they are thinned by less; drawn larger, and made small again by an operator,
+//! they keep what is left.
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use super::curves::points_of;
@@ -9,7 +11,8 @@ use super::document::{Document, Edits};
 use super::library::Library;
 use super::profiles::{CIRCLE_CORNERS, ELLIPSE_CORNERS, ellipse, placed, polyline};
 use super::record::Record;
-use super::value::Value;
+use super::units::project_metres;
+use super::value::{Value, references};
 
 /// By so much: a power of two, which changes no digit.
 const LARGER: f64 = (1u64 << 20) as f64;
@@ -17,6 +20,9 @@ const LARGER: f64 = (1u64 << 20) as f64;
 const FEWEST_POINTS: usize = 24;
 const LONGEST_MEAN: f64 = 1.0 / 16.0;
 const LONGEST: f64 = 0.10;
+/// By how much a boundary may be off, metres: every corner of an opening is dear where it is cut.
+const OFF_M: f64 = 2e-4;
+const OFF_OF_OPENINGS_M: f64 = 2e-3;
 /// Profiles of more points are left alone.
 const MOST_POINTS: usize = 4096;
 
@@ -31,6 +37,8 @@ pub fn keep(text: Cow<'_, [u8]>, angle: Option<f64>) -> Cow<'_, [u8]> {
     let document = Document::new(&text);
     let mut free = document.free_numbers();
     let (mut edits, mut library) = (Edits::default(), None);
+    let metres = project_metres(&document).unwrap_or(1.0);
+    let mut of_openings = None;
     for keyword in KINDS {
         for record in document.all(keyword) {
             let curves = curves(&document, record);
@@ -44,9 +52,13 @@ pub fn keep(text: Cow<'_, [u8]>, angle: Option<f64>) -> Cow<'_, [u8]> {
             // The library's panics cost their own profile alone.
             let all = || curves.iter().map(|&id| read(id)).collect::<Option<Vec<_>>>();
             let Some(boundaries) = catch_unwind(AssertUnwindSafe(all)).ok().flatten() else { continue };
-            if boundaries.iter().any(|b| is_dense(b)) {
-                write(record, &boundaries, &mut free, &mut edits);
+            if !boundaries.iter().any(|b| is_dense(b)) {
+                continue;
             }
+            let of_openings = of_openings.get_or_insert_with(|| shapes_of_openings(&document, &text));
+            let off = if of_openings.contains(&record.id) { OFF_OF_OPENINGS_M } else { OFF_M } / metres;
+            let left: Vec<Boundary> = boundaries.iter().map(|b| thinned(b, off)).collect();
+            write(record, &left, &mut free, &mut edits);
         }
     }
     drop(library);
@@ -109,6 +121,45 @@ fn is_dense(points: &[[f64; 2]]) -> bool {
     n >= FEWEST_POINTS && sum / n as f64 <= LONGEST_MEAN * diagonal && longest <= LONGEST * diagonal
 }
 
+/// The records that openings are made of.
+fn shapes_of_openings(document: &Document, text: &[u8]) -> HashSet<u64> {
+    const REPRESENTATION: usize = 6;
+    let mut open: Vec<u64> = Vec::new();
+    for keyword in ["IFCOPENINGELEMENT", "IFCOPENINGSTANDARDCASE"] {
+        let shape = |record| document.values(record).get(REPRESENTATION).and_then(Value::reference);
+        open.extend(document.all(keyword).filter_map(shape));
+    }
+    let mut seen = HashSet::new();
+    while let Some(id) = open.pop() {
+        if let Some(record) = document.find(id).filter(|_| seen.insert(id)) {
+            references(&text[record.arguments.clone()], 0, |_, to| open.push(to));
+        }
+    }
+    seen
+}
+
+/// Without points that lie nearer than `off` to the edges that are left.
+fn thinned(points: &[[f64; 2]], off: f64) -> Boundary {
+    let n = points.len();
+    let is_near = |a: [f64; 2], b: [f64; 2], p: [f64; 2]| {
+        let [[dx, dy], [x, y]] = [b, p].map(|q| [q[0] - a[0], q[1] - a[1]]);
+        let length = dx.hypot(dy);
+        let along = if length > 0.0 { (x * dx + y * dy) / length } else { f64::INFINITY };
+        (0.0..=length).contains(&along) && (x * dy - y * dx).abs() <= off * length
+    };
+    let mut left = vec![points[0]];
+    let mut from = 0;
+    while from < n {
+        let skips = |to: &usize| (from + 1..*to).all(|i| is_near(points[from], points[*to % n], points[i]));
+        let to = (from + 2..=n).take_while(skips).last().unwrap_or(from + 1);
+        if to < n {
+            left.push(points[to]);
+        }
+        from = to;
+    }
+    if left.len() >= 3 { left } else { points.to_vec() }
+}
+
 fn write(record: &Record, boundaries: &[Boundary], free: &mut dyn Iterator<Item = u64>, edits: &mut Edits) {
     let (mut lines, mut texts) = (Vec::new(), String::new());
     for boundary in boundaries {
@@ -151,6 +202,19 @@ mod tests {
         let square = "#5=IFCCARTESIANPOINT((0.,0.));#6=IFCCARTESIANPOINT((9.,0.));#7=IFCCARTESIANPOINT((9.,9.));\
             #9=IFCPOLYLINE((#5,#6,#7,#5));";
         assert!(kept(&format!("{with_hole}{square}")).contains("VOIDS(.AREA.,$,#10,(#15))"), "the hole");
+    }
+
+    #[test]
+    fn thinned_by_no_more_than_told() {
+        let circle: Boundary = ellipse(&[0.5, 0.5], 1000).unwrap();
+        for off in [2e-4, 2e-3] {
+            let left = thinned(&circle, off);
+            // The sagitta of a chord is r (1 − cos(π/n)).
+            let sagitta = 0.5 * (1.0 - (std::f64::consts::PI / left.len() as f64).cos());
+            assert!(sagitta <= off * 1.01 && sagitta > 0.8 * off, "{}: {sagitta}", left.len());
+        }
+        let bent = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        assert_eq!(thinned(&bent, 1e-3), bent);
     }
 
     #[test]
