@@ -138,12 +138,11 @@ type Direction = GeomWithData<[f64; 3], f64>;
 /// Over a surface seen from a true position the range is a function of direction: at its edges the nearer returns
 /// lie to one side, and in its hollows they are nearer by little.
 fn passing_share(beams: &[Beam]) -> Option<f64> {
-    let all: Vec<Vec3> =
-        beams.iter().filter(|b| b.returned && b.offset.norm() > OWN_PLATFORM_M).map(|b| b.offset).collect();
-    let some: Vec<Direction> = scattered(all.len(), COMPARED)
-        .map(|i| GeomWithData::new((all[i] / all[i].norm()).into(), all[i].norm()))
+    // A scan without many returns gives fewer.
+    let some: Vec<Direction> = scattered(beams.len(), COMPARED)
+        .filter_map(|i| range(&beams[i]).map(|range| GeomWithData::new((beams[i].offset / range).into(), range)))
         .collect();
-    if some.len() < LEAST || are_echoes(&all) {
+    if some.len() < LEAST || are_echoes(beams) {
         return None;
     }
     let tried: Vec<Direction> = scattered(some.len(), TRIED).map(|i| some[i]).collect();
@@ -158,20 +157,27 @@ fn passing_share(beams: &[Beam]) -> Option<f64> {
     (counted > 0).then(|| f64::from(passing) / f64::from(counted))
 }
 
+/// Of a return that is not the scanner itself.
+fn range(beam: &Beam) -> Option<f64> {
+    let range = beam.offset.norm();
+    (beam.returned && range > OWN_PLATFORM_M).then_some(range)
+}
+
 /// Whether returns that follow one another lie on one beam, as the echoes of a pulse do: only seen from where the
 /// scanner stood. By chance three times as many would lie in the ring about it.
-fn are_echoes(returns: &[Vec3]) -> bool {
-    let (mut on_beam, mut beside_it) = (0, 0);
-    for pair in returns.windows(2) {
-        let [a, b] = [pair[0].norm(), pair[1].norm()];
+fn are_echoes(beams: &[Beam]) -> bool {
+    let (mut pairs, mut on_beam, mut beside_it) = (0, 0, 0);
+    for i in scattered(beams.len() - 1, COMPARED) {
+        let (Some(a), Some(b)) = (range(&beams[i]), range(&beams[i + 1])) else { continue };
+        pairs += 1;
         if a.min(b) >= 0.95 * a.max(b) - 0.05 {
             continue;
         }
-        let apart = (pair[0] / a - pair[1] / b).norm() * a.min(b);
+        let apart = (beams[i].offset / a - beams[i + 1].offset / b).norm() * a.min(b);
         on_beam += usize::from(apart < SAME_PULSE_M);
         beside_it += usize::from((SAME_PULSE_M..2.0 * SAME_PULSE_M).contains(&apart));
     }
-    on_beam * 100 > returns.len() && on_beam > 2 * beside_it
+    on_beam * 100 > pairs && on_beam > 2 * beside_it
 }
 
 /// Whether a beam passes between nearer returns; `None` for the later echoes of a pulse.
