@@ -50,12 +50,21 @@ pub struct RawScan {
     pub content: Content,
     /// Points that are no points: not finite, or impossibly far.
     pub unusable: u64,
-    /// Points in no order, in a format that gives scans rows and columns.
-    pub is_list: bool,
+    pub order: Order,
     /// What the user is to know about it.
     pub notes: Vec<String>,
     /// What the file tells of itself: name and value.
     pub facts: Facts,
+}
+
+/// How the points of a scan are arranged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// In rows and columns, or by angles: as a scanner measures.
+    Measured,
+    /// In no order, in a format that gives scans rows and columns.
+    List,
+    NotTold,
 }
 
 impl RawScan {
@@ -116,8 +125,8 @@ fn scan_of_content(path: &Path, content: Content, options: &ReadOptions) -> Resu
     let origin = options.origin;
     let world_from_scan = origin.map(|_| NO_ROTATION);
     let (name, anchor) = (stem(path), Vec3::zeros());
-    let (unusable, is_list, notes, facts) = (0, false, Vec::new(), Facts::new());
-    let mut scan = RawScan { name, sensor: None, world_from_scan, anchor, content, unusable, is_list, notes, facts };
+    let (unusable, order, notes, facts) = (0, Order::NotTold, Vec::new(), Facts::new());
+    let mut scan = RawScan { name, sensor: None, world_from_scan, anchor, content, unusable, order, notes, facts };
     unit::apply(options.file_unit, &mut scan);
     let all = scan.content.len();
     scan.retain(|b| b.offset.iter().all(|c| c.is_finite()));

@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
 use super::grid::{Cell, missing_directions};
 use super::text::{Lines, numbers};
-use super::{Facts, NO_ROTATION, RawScan, ReadOptions, Sink, stem, unit};
+use super::{Facts, NO_ROTATION, Order, RawScan, ReadOptions, Sink, stem, unit};
 
 /// Reads every scan of the file.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
@@ -28,11 +28,11 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
             cells.iter().filter_map(|c| c.point).map(|p| Beam { offset: rotation * p, returned: true }).collect();
         beams.extend(missing_directions(&cells).iter().map(|d| Beam { offset: rotation * d, returned: false }));
         let facts = Facts::from([("grid".into(), format!("{columns} columns × {rows} rows"))]);
-        let is_list = columns == 1.0 || rows == 1.0;
+        let order = if columns == 1.0 || rows == 1.0 { Order::List } else { Order::Measured };
         let name = if number == 1 { stem(path) } else { format!("{} #{number}", stem(path)) };
         let (world_from_scan, content) = (Some(quaternion(&rotation)), Content::of(beams));
         let mut scan =
-            RawScan { name, sensor: None, world_from_scan, anchor, content, unusable: 0, is_list, notes, facts };
+            RawScan { name, sensor: None, world_from_scan, anchor, content, unusable: 0, order, notes, facts };
         unit::apply(options.file_unit, &mut scan);
         sink(scan)?;
     }

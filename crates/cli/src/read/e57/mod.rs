@@ -12,7 +12,7 @@ use indicatif::ProgressBar;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::grid::{Cell, missing_directions};
-use super::{Facts, NO_ROTATION, RawScan, ReadOptions, Sink, stem, unit};
+use super::{Facts, NO_ROTATION, Order, RawScan, ReadOptions, Sink, drop_zeros, stem, unit};
 
 /// Reads every point cloud of the file.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
@@ -106,13 +106,17 @@ fn read_cloud(
         anchor: scanner,
         content,
         unusable,
-        is_list: false,
+        order: if cloud.has_row_column() || cloud.has_spherical() { Order::Measured } else { Order::NotTold },
         notes: Vec::new(),
         facts: facts(cloud),
     };
     if has_origin {
         let missing = missing_directions(&cells);
         scan.content.extend_without_return(missing.iter().map(|d| rotation * d));
+    }
+    // One may be a corner of something.
+    if scan.content.beams.iter().filter(|b| b.offset == Vec3::zeros()).nth(1).is_some() {
+        drop_zeros(&mut scan);
     }
     move_anchor(&mut scan, options.origin, has_origin);
     Ok(scan)

@@ -1,0 +1,193 @@
+//! How many beams pass between much nearer returns on all sides of them.
+//!
+//! Over a surface seen from a true position the range is a function of direction: at its edges the nearer returns
+//! lie to one side, and in its hollows they are nearer by little. From a wrong position near and far are mixed. That can
+//! only be seen where returns lie close together: so some windows of the sphere are looked at with all they hold.
+
+use std::f64::consts::{PI, TAU};
+
+use asbuilt_core::geometry::Vec3;
+use asbuilt_core::scan::Beam;
+use rstar::RTree;
+use rstar::primitives::GeomWithData;
+use rustc_hash::FxHashSet;
+
+/// What the beams say of the place that they are said to come from.
+#[derive(Debug, PartialEq)]
+pub enum Passing {
+    /// The share that passes between nearer returns, of all beams, and where returns lie close together.
+    Shares { overall: f64, close: f64 },
+    /// Returns follow one another on one beam, as the echoes of a pulse do: only seen from where the scanner stood.
+    Echoes,
+    /// Too few returns lie close enough together.
+    Unknown,
+}
+
+/// Returns that are compared, those of a window, beams that are tried, neighbours of each.
+const COMPARED: usize = 100_000;
+const OF_WINDOW: usize = 1000;
+const TRIED: usize = 2000;
+const NEIGHBOURS: usize = 16;
+/// Fewer beams tell nothing.
+const LEAST: u32 = 100;
+/// A beam passes a return that is nearer than this to it, metres; where most neighbours are, it can be tried.
+const BESIDE_M: f64 = 0.1;
+/// Returns nearer to one another than this are one, metres: copies would hide the others.
+const COPY_M: f64 = 1e-3;
+const ONE_M: f64 = 0.04;
+/// Returns closer to a beam than this are echoes of its own pulse, metres.
+const SAME_PULSE_M: f64 = 0.002;
+/// Nearer than this the scanner sees itself, metres.
+const OWN_PLATFORM_M: f64 = 0.3;
+
+/// A direction, and the range of the return there.
+type Direction = GeomWithData<[f64; 3], f64>;
+
+pub fn passing(beams: &[Beam]) -> Passing {
+    if beams.len() as u64 <= u64::from(LEAST) {
+        return Passing::Unknown;
+    }
+    if are_echoes(beams) {
+        return Passing::Echoes;
+    }
+    let sample = || scattered(beams.len(), COMPARED).filter_map(|i| direction(&beams[i])).collect();
+    // Side by side: the loader has nothing else to do.
+    let (sample, windows) = std::thread::scope(|scope| {
+        let windows = scope.spawn(|| tally(thinned(windows(beams), ONE_M)));
+        (tally(thinned(sample(), COPY_M)), windows.join().unwrap_or_default())
+    });
+    if sample.close.max(windows.close) < LEAST {
+        return Passing::Unknown;
+    }
+    let share = |passing: u32, of: u32| if of < LEAST { 0.0 } else { f64::from(passing) / f64::from(of) };
+    Passing::Shares {
+        overall: share(sample.passing, sample.counted),
+        close: share(windows.passing_close, windows.close),
+    }
+}
+
+/// Beams that were tried, those of them among returns close together, and how many of either pass.
+#[derive(Default)]
+struct Tally {
+    counted: u32,
+    close: u32,
+    passing: u32,
+    passing_close: u32,
+}
+
+fn tally(some: Vec<Direction>) -> Tally {
+    let tried: Vec<Direction> = scattered(some.len(), TRIED).map(|i| some[i]).collect();
+    let tree = RTree::bulk_load(some);
+    let mut tally = Tally::default();
+    for (passes, is_close) in tried.iter().filter_map(|beam| passes(&tree, beam)) {
+        tally.counted += 1;
+        tally.close += u32::from(is_close);
+        tally.passing += u32::from(passes);
+        tally.passing_close += u32::from(passes && is_close);
+    }
+    tally
+}
+
+/// Of a return that is not the scanner itself.
+fn range(beam: &Beam) -> Option<f64> {
+    let range = beam.offset.norm();
+    (beam.returned && range > OWN_PLATFORM_M).then_some(range)
+}
+
+fn direction(beam: &Beam) -> Option<Direction> {
+    range(beam).map(|range| GeomWithData::new((beam.offset / range).into(), range))
+}
+
+/// All returns in some windows, scattered over the sphere.
+fn windows(beams: &[Beam]) -> Vec<Direction> {
+    let across = (beams.len() as f64 / OF_WINDOW as f64 / 6.0).sqrt().ceil();
+    let limit = (COMPARED as f64 / beams.len() as f64 * u64::MAX as f64) as u64;
+    let is_chosen = |b: &&Beam| b.returned && scramble(window(&b.offset, across)) < limit;
+    // Where nearly everything lies in one window, it must not be everything.
+    beams.iter().filter(is_chosen).take(4 * COMPARED).filter_map(direction).collect()
+}
+
+/// The number of the window on a cube about the scanner that a direction goes through.
+fn window(offset: &Vec3, across: f64) -> u64 {
+    let axis = offset.iamax();
+    let (largest, u, v) = (offset[axis], offset[(axis + 1) % 3], offset[(axis + 2) % 3]);
+    let place = |w: f64| ((w / largest.abs() + 1.0) / 2.0 * across) as u64;
+    (place(u) << 34) | (place(v) << 4) | (axis as u64) << 1 | u64::from(largest > 0.0)
+}
+
+/// An even sequence without a period out of any (SplitMix64's last step).
+fn scramble(n: u64) -> u64 {
+    let n = (n ^ (n >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    let n = (n ^ (n >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    n ^ (n >> 31)
+}
+
+/// One return in a cube of that size.
+fn thinned(some: Vec<Direction>, size: f64) -> Vec<Direction> {
+    let mut seen = FxHashSet::default();
+    let cube = |d: &Direction| d.geom().map(|c| (c * d.data / size).floor() as i64);
+    some.into_iter().filter(|d| seen.insert(cube(d))).collect()
+}
+
+/// Whether returns that follow one another lie on one beam. By chance three times as many would lie in the ring about it.
+fn are_echoes(beams: &[Beam]) -> bool {
+    let (mut pairs, mut on_beam, mut beside_it) = (0, 0, 0);
+    for i in scattered(beams.len() - 1, COMPARED) {
+        let (Some(a), Some(b)) = (range(&beams[i]), range(&beams[i + 1])) else { continue };
+        pairs += 1;
+        if a.min(b) >= 0.95 * a.max(b) - 0.05 {
+            continue;
+        }
+        let apart = (beams[i].offset / a - beams[i + 1].offset / b).norm() * a.min(b);
+        on_beam += usize::from(apart < SAME_PULSE_M);
+        beside_it += usize::from((SAME_PULSE_M..2.0 * SAME_PULSE_M).contains(&apart));
+    }
+    on_beam * 100 > pairs && on_beam > 2 * beside_it
+}
+
+/// Whether a beam passes between nearer returns, and whether the returns about it lie close together; `None` for the
+/// later echoes of a pulse.
+fn passes(tree: &RTree<Direction>, beam: &Direction) -> Option<(bool, bool)> {
+    let (direction, range) = (Vec3::from(*beam.geom()), beam.data);
+    let aside = if direction.z.abs() < 0.9 { Vec3::z() } else { Vec3::x() };
+    let u = direction.cross(&aside).normalize();
+    let v = direction.cross(&u);
+    let (mut headings, mut close) = (Vec::with_capacity(NEIGHBOURS), 0);
+    // The first is the beam itself.
+    for other in tree.nearest_neighbor_iter(*beam.geom()).skip(1).take(NEIGHBOURS) {
+        let offset = Vec3::from(*other.geom()) - direction;
+        let apart = offset.norm();
+        close += usize::from(apart * other.data.min(range) <= BESIDE_M);
+        let beside = apart * other.data;
+        if other.data >= 0.95 * range - 0.05 || beside > BESIDE_M {
+            continue;
+        }
+        if beside < SAME_PULSE_M {
+            return None;
+        }
+        headings.push(offset.dot(&v).atan2(offset.dot(&u)));
+    }
+    Some((surround(&mut headings), 2 * close >= NEIGHBOURS))
+}
+
+/// Whether directions in a plane leave no half of it free.
+fn surround(headings: &mut [f64]) -> bool {
+    if headings.len() < 3 {
+        return false;
+    }
+    headings.sort_by(f64::total_cmp);
+    let around = headings[0] + TAU - headings[headings.len() - 1];
+    headings.windows(2).map(|w| w[1] - w[0]).fold(around, f64::max) < PI
+}
+
+/// At most `wanted` of `len` places, scattered so that no grid shows in them.
+fn scattered(len: usize, wanted: usize) -> impl Iterator<Item = usize> {
+    let every = (len as f64 / wanted as f64).max(1.0);
+    let count = if every > 1.0 { wanted } else { len };
+    (0..count).map(move |i| {
+        // Fibonacci hashing (Knuth 1973, 6.4): an even sequence without a period.
+        let jitter = (i as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
+        let within = if every > 1.0 { jitter as f64 / (1u64 << 24) as f64 } else { 0.0 };
+        (((i as f64 + within) * every) as usize).min(len - 1)
+    })
+}
