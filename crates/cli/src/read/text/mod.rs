@@ -3,6 +3,7 @@
 pub mod columns;
 pub mod dialect;
 pub mod lines;
+mod number;
 
 pub use columns::{Column, Columns};
 pub use dialect::{Dialect, numbers};
