@@ -189,9 +189,12 @@ pub fn is_ambiguous(word: &str) -> bool {
 }
 
 /// What to say about a line whose commas or points are not understood.
-pub fn hint(line: &str) -> &'static str {
+pub fn hint(line: &str, comma: Option<Comma>) -> &'static str {
     let Some(dialect) = Dialect::of(line) else { return "" };
     let words = dialect.words(line);
+    if comma.or(dialect.comma) == Some(Comma::Decimal) && words.iter().any(|w| may_have_points(w)) {
+        return "; beside decimal commas its points may part thousands or decimals: write the numbers with one mark";
+    }
     if dialect.separator != Separator::Comma && words.iter().any(|w| is_ambiguous(w)) {
         "; does a comma part thousands or decimals? Say --decimal-comma, or write the numbers with points alone"
     } else if words.iter().any(|w| has_points(w)) {
@@ -248,6 +251,49 @@ mod tests {
     }
 
     #[test]
+    fn points_part_thousands_beside_decimal_commas() {
+        let utm = Some([500_000.12, 5_400_000.45, 101.5]);
+        for (line, expected) in [
+            ("500.000,12 5.400.000,45 101,50", utm),
+            ("500.000,12\t5.400.000,45\t101,50", utm),
+            ("500.000,12;5.400.000,45;101,50", utm),
+            ("500.000,12 5.400.000 1.250", Some([500_000.12, 5_400_000.0, 1250.0])),
+            ("-1.250,5 2,5 0", Some([-1250.5, 2.5, 0.0])),
+            // Points as both marks.
+            ("1.250,5 2.25 3,5", None),
+            // Is that 1.25 or 1250?
+            ("1.250 2,5 3,5", None),
+            ("1.25 2,5 3,5", Some([1.25, 2.5, 3.5])),
+            ("1.25.0,5 2,5 3,5", None),
+        ] {
+            assert_eq!(numbers::<3>(line), expected, "{line}");
+        }
+        let known = Dialect { comma: Some(Comma::Decimal), ..Dialect::default() };
+        let line = "500.000 5.400.000 101";
+        assert_eq!(known.learn(line).unwrap().numbers::<3>(line), Some([500_000.0, 5_400_000.0, 101.0]));
+        assert!(hint(line, None).contains("--decimal-comma"));
+    }
+
+    #[test]
+    fn numbers_of_other_hands() {
+        let point = Some([-1.25, 2.5, 0.75]);
+        for line in ["-1.25D+00 2.5D+00 7.5d-01", "\u{2212}1.25 2.5 0.75", "-1.25\u{a0} 2.5\u{a0} 0.75"] {
+            assert_eq!(numbers::<3>(line), point, "{line}");
+        }
+        let thin = "2\u{2009}600\u{2009}000.12 1\u{2009}200\u{2009}000.45 501.5";
+        assert_eq!(numbers::<3>(thin), Some([2_600_000.12, 1_200_000.45, 501.5]));
+        assert_eq!(numbers::<3>("1.25\u{a0}250 2 3"), None);
+    }
+
+    #[test]
+    fn cells_keep_their_blanks() {
+        let words = |line: &str| Dialect::of(line).unwrap().words(line).join("|");
+        assert_eq!(words("Wall 12,1.25,2.5,0.75"), "Wall 12|1.25|2.5|0.75");
+        assert_eq!(words("\"Point 1\" 1.25 2.5 0.75"), "Point 1|1.25|2.5|0.75");
+        assert_eq!(words("1.5,2.5,3.5 255 0"), "1.5|2.5|3.5|255|0");
+    }
+
+    #[test]
     fn thousands_are_no_coordinates_of_their_own() {
         let utm = Some([500_000.12, 5_400_000.45, 101.5]);
         for (line, expected) in [
@@ -266,7 +312,7 @@ mod tests {
         ] {
             assert_eq!(numbers::<3>(line), expected, "{line}");
         }
-        assert!(hint("1,234 2,345 3,456").contains("--decimal-comma"));
+        assert!(hint("1,234 2,345 3,456", None).contains("--decimal-comma"));
         let known = Dialect { comma: Some(Comma::Decimal), ..Dialect::default() };
         assert_eq!(known.numbers::<3>("1,234 2,345 3,456"), Some([1.234, 2.345, 3.456]));
     }

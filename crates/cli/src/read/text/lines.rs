@@ -122,7 +122,7 @@ impl<'a> Lines<'a> {
     }
 
     fn unlike(&self, expected: &str) -> Error {
-        anyhow!("line {}: {expected}, found \"{}\"{}", self.number, self.text, hint(&self.text))
+        anyhow!("line {}: {expected}, found \"{}\"{}", self.number, self.text, hint(&self.text, self.dialect.comma))
     }
 
     /// Number of the line read last.
