@@ -337,6 +337,7 @@ fn texts_with_titles() {
         ("lacking.csv", "id;x;y;i\n17;1.25;2.5;0.75\n", plain(), Refused("--columns")),
         ("mm.txt", millimetres, plain(), Points(TWO, false, "millimetres")),
         ("mm_same.txt", millimetres, same, Points(TWO, false, "millimetres")),
+        ("units_below.txt", "X Y Z\n[mm] [mm] [mm]\n1250 2500 750\n", plain(), Refused("--file-unit")),
         ("mm_feet.txt", millimetres, feet, Refused("--file-unit")),
     ];
     let wrong = wrong_texts("titles", &cases);

@@ -8,7 +8,8 @@ use asbuilt_core::scan::Beam;
 use indicatif::ProgressBar;
 
 use super::planes::Planes;
-use super::text::dialect::{Width, hint};
+use super::text::columns::Width;
+use super::text::dialect::hint;
 use super::text::doubt::uneven;
 use super::text::head::{Layout, cut};
 use super::text::title::is_comment;

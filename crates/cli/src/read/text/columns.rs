@@ -95,6 +95,25 @@ impl Columns {
     }
 }
 
+/// How many words a line has, with and without those that are empty at its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Width {
+    pub all: usize,
+    pub filled: usize,
+}
+
+impl Width {
+    pub fn of<W: AsRef<str>>(words: &[W]) -> Self {
+        let filled = words.iter().rposition(|w| !w.as_ref().is_empty()).map_or(0, |last| last + 1);
+        Self { all: words.len(), filled }
+    }
+
+    /// Whether lines of both widths can be of one table: a mark at the end may be left out.
+    pub fn fits(self, other: Self) -> bool {
+        self.all == other.all || self.filled == other.filled
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

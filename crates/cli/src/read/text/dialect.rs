@@ -1,5 +1,6 @@
 //! How a file writes its numbers: what parts them, and what a comma within one means.
 
+use super::columns::Width;
 use super::number::{Form, form, has_points, may_have_points, without_marks};
 
 pub use super::number::Comma;
@@ -23,25 +24,6 @@ pub struct Dialect {
     pub comma: Option<Comma>,
     /// Beside decimal commas: points part thousands.
     pub points: bool,
-}
-
-/// How many words a line has, with and without those that are empty at its end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Width {
-    pub all: usize,
-    pub filled: usize,
-}
-
-impl Width {
-    pub fn of<W: AsRef<str>>(words: &[W]) -> Self {
-        let filled = words.iter().rposition(|w| !w.as_ref().is_empty()).map_or(0, |last| last + 1);
-        Self { all: words.len(), filled }
-    }
-
-    /// Whether lines of both widths can be of one table: a mark at the end may be left out.
-    pub fn fits(self, other: Self) -> bool {
-        self.all == other.all || self.filled == other.filled
-    }
 }
 
 impl std::fmt::Display for Dialect {
@@ -139,7 +121,8 @@ impl Dialect {
         let mut words = line.split_ascii_whitespace();
         let mut next = || self.value(words.next()?);
         let point = [next()?, next()?, next()?];
-        let count = 3 + words.count();
+        // Counted byte by byte, which is quicker than word by word.
+        let count = 1 + line.as_bytes().windows(2).filter(|w| w[0] <= b' ' && w[1] > b' ').count();
         (count == width.filled || count == width.all).then_some(point)
     }
 
@@ -272,17 +255,6 @@ mod tests {
         let line = "500.000 5.400.000 101";
         assert_eq!(known.learn(line).unwrap().numbers::<3>(line), Some([500_000.0, 5_400_000.0, 101.0]));
         assert!(hint(line, None).contains("--decimal-comma"));
-    }
-
-    #[test]
-    fn numbers_of_other_hands() {
-        let point = Some([-1.25, 2.5, 0.75]);
-        for line in ["-1.25D+00 2.5D+00 7.5d-01", "\u{2212}1.25 2.5 0.75", "-1.25\u{a0} 2.5\u{a0} 0.75"] {
-            assert_eq!(numbers::<3>(line), point, "{line}");
-        }
-        let thin = "2\u{2009}600\u{2009}000.12 1\u{2009}200\u{2009}000.45 501.5";
-        assert_eq!(numbers::<3>(thin), Some([2_600_000.12, 1_200_000.45, 501.5]));
-        assert_eq!(numbers::<3>("1.25\u{a0}250 2 3"), None);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Why the first three columns of rows without a title may not be coordinates.
 
-use super::dialect::{Dialect, Width};
+use super::columns::Width;
+use super::dialect::Dialect;
 
 /// Two rows that are not of one width.
 pub fn ragged(rows: &[(u64, Vec<String>)]) -> Option<String> {
@@ -46,7 +47,8 @@ pub fn doubt(rows: &[Vec<String>], dialect: &Dialect, counts: bool) -> Option<St
     })
 }
 
-fn is_whole(word: &String) -> bool {
+fn is_whole<W: AsRef<str>>(word: W) -> bool {
+    let word = word.as_ref();
     !word.is_empty() && word.bytes().all(|b| b.is_ascii_digit())
 }
 
@@ -59,7 +61,7 @@ fn counts_up(rows: &[Vec<String>], dialect: &Dialect) -> bool {
 
 /// Whether the first column is whole in every row, and three others are not.
 fn leads(rows: &[Vec<String>], dialect: &Dialect, columns: usize) -> bool {
-    let is_integer = |word: &str| is_whole(&word.trim_start_matches(['+', '-']).to_owned());
+    let is_integer = |word: &str| is_whole(word.trim_start_matches(['+', '-']));
     let has_fraction = |word: &str| dialect.value(word).is_some_and(|v| v.is_finite() && v.fract() != 0.0);
     // Where the first is written 1.0, decimals that are zero say nothing of the others.
     let are_integers = rows.iter().all(|r| is_integer(&r[0]));

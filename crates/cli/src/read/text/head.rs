@@ -2,7 +2,8 @@
 
 use anyhow::{Result, anyhow, bail};
 
-use super::dialect::{Comma, Dialect, Separator, Width, hint, is_ambiguous};
+use super::columns::Width;
+use super::dialect::{Comma, Dialect, Separator, hint, is_ambiguous};
 use super::doubt::{doubt, ragged};
 use super::title::{self, Title, is_comment};
 use super::{Columns, Lines};
@@ -58,6 +59,7 @@ impl Head {
             }
         }
         head.refuse_grid()?;
+        head.refuse_units(options)?;
         if head.rows.is_empty() {
             return Err(head.no_points(options));
         }
@@ -96,10 +98,21 @@ impl Head {
         Ok(())
     }
 
+    /// A line of units below the title is not read; where it does not say metres the option must.
+    fn refuse_units(&self, options: &ReadOptions) -> Result<()> {
+        match self.naming.iter().find(|line| title::are_units(line)) {
+            Some(line) if options.file_unit.is_none() => {
+                bail!("its title holds a line of units, \"{}\": say which with --file-unit", cut(line))
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn no_points(&self, options: &ReadOptions) -> anyhow::Error {
         let Some(first) = self.titles.first() else { return anyhow!("it holds no points") };
         let wanted = options.columns.as_ref().map_or("three coordinates".into(), |c| format!("columns {c}"));
-        let way = match hint(first, None) {
+        let comma = options.decimal_comma.then_some(Comma::Decimal);
+        let way = match hint(first, comma) {
             "" if options.columns.is_none() && self.titles.iter().any(|t| stand_later(t)) => {
                 "; where the coordinates do not stand first, say which columns hold what, e.g. --columns n,x,y,z"
             }

@@ -87,3 +87,19 @@ pub fn without_marks(word: &str) -> Option<String> {
     let goes_on = groups.all(|g| g.len() == 3 && all_digits(g));
     (starts && goes_on && !decimals.contains(MARKS)).then(|| word.replace(MARKS, ""))
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::read::text::numbers;
+
+    #[test]
+    fn numbers_of_other_hands() {
+        let point = Some([-1.25, 2.5, 0.75]);
+        for line in ["-1.25D+00 2.5D+00 7.5d-01", "\u{2212}1.25 2.5 0.75", "-1.25\u{a0} 2.5\u{a0} 0.75"] {
+            assert_eq!(numbers::<3>(line), point, "{line}");
+        }
+        let thin = "2\u{2009}600\u{2009}000.12 1\u{2009}200\u{2009}000.45 501.5";
+        assert_eq!(numbers::<3>(thin), Some([2_600_000.12, 1_200_000.45, 501.5]));
+        assert_eq!(numbers::<3>("1.25\u{a0}250 2 3"), None);
+    }
+}

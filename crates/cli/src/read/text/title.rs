@@ -1,7 +1,7 @@
 //! What a title says of the columns: which holds what, and in which unit.
 
-use super::columns::{Column, Columns};
-use super::dialect::{Width, unquoted};
+use super::columns::{Column, Columns, Width};
+use super::dialect::unquoted;
 use crate::read::unit::Unit;
 
 /// What a title tells.
@@ -48,6 +48,14 @@ pub fn of(line: &str, row: Width) -> Option<Result<Title, String>> {
 
 pub fn is_comment(line: &str) -> bool {
     line.starts_with(['#', '/', '%', '!'])
+}
+
+/// Whether a line holds nothing but units, other than metres: `[mm] [mm] [mm]`.
+pub fn are_units(line: &str) -> bool {
+    let bare = line.trim_start_matches(['/', '#', '!', '%', ' ', '\t']);
+    let words = || bare.split([' ', '\t', ',', ';', '|']).map(|w| w.trim_matches(['[', ']', '(', ')', '"']));
+    let units: Vec<_> = words().filter(|w| !w.is_empty()).map(unit_named).collect();
+    units.len() >= 3 && units.iter().all(|u| u.is_some() && *u != Some(Some(Unit::M)))
 }
 
 fn judged(cells: &[String], meanings: &[Meaning], fits: bool, row: Width) -> Result<Title, String> {
