@@ -257,3 +257,110 @@ fn decimal_commas_are_told() {
         std::fs::remove_file(path).unwrap();
     }
 }
+
+/// Writes, reads and judges texts; what is wrong with them.
+fn wrong_texts(folder: &str, cases: &[(&str, &str, ReadOptions, Right)]) -> String {
+    let folder = std::env::temp_dir().join(format!("asbuilt-{folder}-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let judged = |(name, text, options, right): &(&str, &str, ReadOptions, Right)| {
+        std::fs::write(folder.join(name), text).unwrap();
+        wrong(&folder.join(name), options, right)
+    };
+    let wrong: Vec<String> = cases.iter().filter_map(judged).collect();
+    std::fs::remove_dir_all(&folder).unwrap();
+    wrong.join("\n")
+}
+
+/// Rows that do not say themselves where their coordinates stand are refused.
+#[test]
+fn texts_that_may_be_read_two_ways() {
+    let plain = ReadOptions::default;
+    let columns = |c: &str| ReadOptions { columns: Some(c.parse().unwrap()), ..plain() };
+    let decimal = ReadOptions { decimal_comma: true, ..plain() };
+    let asked = || Refused("--columns");
+    let unsorted = "17 1.25 2.5 0.75\n3 1.5 2.5 0.75\n";
+    let long = format!("{}1 001.50 567.25 12.50\n", "998.50 567.25 12.00\n".repeat(1200));
+    let cases = [
+        ("unsorted.xyz", unsorted, plain(), asked()),
+        ("unsorted_told.xyz", unsorted, columns("n,x,y,z"), Points(TWO, false, "")),
+        ("down.xyz", "2 1.25 2.5 0.75\n1 1.5 2.5 0.75\n", plain(), asked()),
+        ("decimal.xyz", "1.0 1.25 2.5 0.75\n2.0 1.5 2.5 0.75\n", plain(), asked()),
+        ("rows.xyz", "0 0 1.25 2.5 0.75\n0 1 1.5 2.5 0.75\n", plain(), asked()),
+        ("ints.xyz", "17 100 200 300\n3 101 200 300\n", plain(), asked()),
+        ("ints.pts", "2\n17 100 200 300\n3 101 200 300\n", plain(), Count(2, "")),
+        ("thousands.xyz", "1 234.50 567.25 12.00\n1 235.50 567.25 12.00\n", plain(), asked()),
+        (
+            "mixed.xyz",
+            "998.50 567.25 12.00\n1 000.50 567.25 12.50\n",
+            plain(),
+            Refused("line 1 has 3 words and line 2 has 4"),
+        ),
+        ("long.xyz", &long, plain(), Refused("line 1 has 3 words and line 1201 has 4")),
+        ("date.xyz", "2024 01 15 hall\n1.25 2.5 0.75\n", plain(), Refused("line 2 has 3")),
+        ("count_behind.pts", "1\n1.25 2.5 0.75\n1\n1.5 2.5 0.75\n", plain(), Points(TWO, false, "")),
+        ("end_mark.csv", "1.25;2.5;0.75;\n1.5;2.5;0.75\n", plain(), Points(TWO, false, "")),
+        ("contradiction.csv", "1,25,2,50,0,75\n1,50,2,50,0,75\n", decimal, Refused("--decimal-comma is given")),
+        ("two_ways.csv", "1,25,2,50,0,75\n1,50,2,50,0,75\n", plain(), asked()),
+        ("tabs.txt", "x\ty\tz\ti\n1.25\t2.5\t0.75\t1\n1.5\t\t0.75\t1\n", plain(), Refused("line 2 has 4")),
+        ("tabs_told.txt", "1.25\t2.5\t0.75\t1\n1.5\t\t0.75\t1\n", columns("x,y,z"), Refused("line 2 has 3")),
+        ("grid.asc", "ncols 3\nnrows 1\n101.5 101.5 101.5\n", plain(), Refused("ESRI")),
+        ("colons.xyz", "1.25:2.5:0.75\n", plain(), Refused("parted by blanks")),
+    ];
+    let wrong = wrong_texts("two-ways", &cases);
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// Titles say which column is which, in several tongues.
+#[test]
+fn texts_with_titles() {
+    const NORTH: &[[f64; 3]] = &[[500_000.25, 5_400_000.5, 100.0], [500_001.25, 5_400_001.5, 101.0]];
+    let plain = ReadOptions::default;
+    let two = || Points(TWO, false, "title names");
+    let north = "5400000.5,500000.25,100\n5400001.5,500001.25,101\n";
+    let (northing, nez) = (format!("Northing,Easting,Elevation\n{north}"), format!("N,E,Z\n{north}"));
+    let millimetres = "X[mm] Y[mm] Z[mm]\n1250 2500 750\n1500 2500 750\n";
+    let feet = ReadOptions { file_unit: Some(super::Unit::Ft), ..plain() };
+    let same = ReadOptions { file_unit: Some(super::Unit::Mm), ..plain() };
+    let cases = [
+        ("east.csv", "ID,Easting,Northing,Elevation\n17,1.25,2.5,0.75\n3,1.5,2.5,0.75\n", plain(), two()),
+        ("rechts.csv", "Nr;Rechtswert;Hochwert;Höhe\n17;1,25;2,5;0,75\n3;1,5;2,5;0,75\n", plain(), two()),
+        ("point.csv", "Point ID;X;Y;Z\n17;1.25;2.5;0.75\n3;1.5;2.5;0.75\n", plain(), two()),
+        ("end.csv", "id;x;y;z;\n17;1.25;2.5;0.75;\n3;1.5;2.5;0.75;\n", plain(), two()),
+        ("range.txt", "Intensity [0-1] X Y Z\n0.5 1.25 2.5 0.75\n0.7 1.5 2.5 0.75\n", plain(), two()),
+        ("coord.csv", "intensity;coord_x;coord_y;coord_z\n0.5;1.25;2.5;0.75\n0.7;1.5;2.5;0.75\n", plain(), two()),
+        ("twice.txt", "i intensity x y z\n5 0.5 1.25 2.5 0.75\n6 0.6 1.5 2.5 0.75\n", plain(), two()),
+        ("name.csv", "name,x,y,z\nWall 12,1.25,2.5,0.75\nSlab,1.5,2.5,0.75\n", plain(), two()),
+        ("again.csv", "x,y,z\n1.25,2.5,0.75\nx,y,z\n1.5,2.5,0.75\n", plain(), Points(TWO, false, "")),
+        ("northing.csv", &northing, plain(), Points(NORTH, false, "title names")),
+        ("nez.csv", &nez, plain(), Points(NORTH, false, "title names")),
+        ("lat.csv", "latitude,longitude,height\n48.13,11.57,519.2\n", plain(), Refused("degrees")),
+        ("lacking.csv", "id;x;y;i\n17;1.25;2.5;0.75\n", plain(), Refused("--columns")),
+        ("mm.txt", millimetres, plain(), Points(TWO, false, "millimetres")),
+        ("mm_same.txt", millimetres, same, Points(TWO, false, "millimetres")),
+        ("units_below.txt", "X Y Z\n[mm] [mm] [mm]\n1250 2500 750\n", plain(), Refused("--file-unit")),
+        ("mm_feet.txt", millimetres, feet, Refused("--file-unit")),
+    ];
+    let wrong = wrong_texts("titles", &cases);
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+/// Points part thousands beside decimal commas, wherever numbers are text.
+#[test]
+fn german_thousands() {
+    const RIGHT: &[[f64; 3]] = &[[1250.5, 2004.25, 100.75], [1251.5, 2004.25, 100.75]];
+    let rows = "1.250,50 2.004,25 100,75\n1.251,50 2.004,25 100,75\n";
+    let plain = ReadOptions::default;
+    let floats = "property float x\nproperty float y\nproperty float z\n";
+    let right = || Points(RIGHT, false, "");
+    let cases = [
+        ("a.xyz", rows, plain(), right()),
+        ("a.txt", &rows.replace(' ', "\t"), plain(), right()),
+        ("a.csv", &rows.replace(' ', ";"), plain(), right()),
+        ("a.pcd", &pcd("x y z", "F F F", "0 0 0 1 0 0 0", rows), plain(), right()),
+        ("a.ply", &ply(floats, rows).replace("vertex 5", "vertex 2"), plain(), right()),
+        ("b.xyz", "1.250 2,5 3,5\n", plain(), Refused("one mark")),
+        ("c.xyz", "500.000 5.400.000 101\n", plain(), Refused("--decimal-comma")),
+    ];
+    let wrong = wrong_texts("german", &cases);
+    assert!(wrong.is_empty(), "{wrong}");
+}

@@ -8,24 +8,23 @@ use asbuilt_core::scan::Beam;
 use indicatif::ProgressBar;
 
 use super::planes::Planes;
-use super::text::columns::doubt;
-use super::text::dialect::{Comma, hint};
-use super::text::{Columns, Dialect, Lines};
+use super::text::columns::Width;
+use super::text::dialect::hint;
+use super::text::doubt::uneven;
+use super::text::head::{Layout, cut};
+use super::text::title::is_comment;
+use super::text::{Columns, Dialect, Head, Lines};
+use super::unit::Unit;
 use super::{Facts, ReadOptions, Sink, scan_of_content};
-
-/// Lines before the first point that are taken for titles.
-const MOST_TITLES: usize = 50;
-/// Lines by which separators, commas and columns are judged.
-const SAMPLE: usize = 1000;
 
 /// Reads points; titles and comments are passed over, a count is held against the points.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
     let mut lines = Lines::open(path, bar)?;
     let head = Head::read(&mut lines, options)?;
     let dialect = head.dialect(options)?;
-    let columns = head.columns(dialect, options)?;
-    let mut cloud = Cloud::new(dialect, &columns, options)?;
-    cloud.promised = head.promised;
+    let layout = head.layout(dialect, options)?;
+    layout.check(options)?;
+    let mut cloud = Cloud::new(dialect, &head, &layout, options)?;
     for (number, line) in &head.rows {
         cloud.add(line, *number)?;
     }
@@ -34,159 +33,46 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
         let Some(line) = lines.next()? else { break };
         cloud.add(line, number)?;
     }
-    let mut notes = head.said(&columns, options);
+    let mut notes = head.said(&layout, options);
     notes.extend(cloud.held_against_promise()?);
-    let mut scan = scan_of_content(path, cloud.planes.content(cloud.points), options)?;
+    // What the title says is done here, and not again by the option.
+    let options = ReadOptions { file_unit: options.file_unit.filter(|_| layout.unit.is_none()), ..options.clone() };
+    cloud.scale(layout.unit);
+    let mut scan = scan_of_content(path, cloud.planes.content(cloud.points), &options)?;
     scan.notes.splice(0..0, notes);
     scan.facts = Facts::from([
-        ("columns".into(), columns.to_string()),
+        ("columns".into(), layout.columns.to_string()),
         ("numbers".into(), dialect.to_string()),
-        ("unit".into(), "not told".into()),
+        ("unit".into(), layout.unit.map_or("not told", Unit::name).into()),
     ]);
     sink(scan)
-}
-
-/// The beginning of a file: titles, then the first lines of points.
-#[derive(Default)]
-struct Head {
-    titles: Vec<String>,
-    /// Comment or title that may name the columns.
-    naming: Vec<String>,
-    promised: Option<u64>,
-    /// With the numbers of their lines.
-    rows: Vec<(u64, String)>,
-}
-
-impl Head {
-    fn read(lines: &mut Lines, options: &ReadOptions) -> Result<Self> {
-        let mut head = Self::default();
-        while head.rows.len() < SAMPLE {
-            let Some(line) = lines.next()? else { break };
-            let line = line.to_owned();
-            if line.is_empty() {
-                continue;
-            }
-            if is_comment(&line) {
-                head.naming.push(line);
-            } else if !head.rows.is_empty() || is_row(&line, options) {
-                head.rows.push((lines.number(), line));
-            } else if let Ok(count) = line.parse::<u64>() {
-                head.promised = Some(head.promised.unwrap_or(0).saturating_add(count));
-            } else {
-                head.naming.push(line.clone());
-                head.titles.push(line);
-                if head.titles.len() > MOST_TITLES {
-                    break;
-                }
-            }
-        }
-        if head.rows.is_empty() {
-            return Err(head.no_points(options));
-        }
-        Ok(head)
-    }
-
-    fn no_points(&self, options: &ReadOptions) -> anyhow::Error {
-        let Some(first) = self.titles.first() else { return anyhow!("it holds no points") };
-        let wanted = options.columns.as_ref().map_or("three coordinates".into(), |c| format!("columns {c}"));
-        let way = match hint(first) {
-            "" if options.columns.is_none() => {
-                "; where the coordinates do not stand first, say which columns hold what, e.g. --columns n,x,y,z"
-            }
-            other => other,
-        };
-        anyhow!("none of its first {} lines has {wanted}; the first is \"{}\"{way}", self.titles.len(), cut(first))
-    }
-
-    /// What the sample says about separators and commas, all lines together.
-    fn dialect(&self, options: &ReadOptions) -> Result<Dialect> {
-        let comma = options.decimal_comma.then_some(Comma::Decimal);
-        let mut dialect = Dialect { comma, ..Dialect::default() };
-        for (number, line) in &self.rows {
-            let Some(learnt) = dialect.learn(line) else {
-                bail!("line {number}: the commas of \"{}\" contradict one another", cut(line));
-            };
-            dialect = learnt;
-        }
-        Ok(dialect)
-    }
-
-    fn columns(&self, dialect: Dialect, options: &ReadOptions) -> Result<Columns> {
-        if let Some(given) = &options.columns {
-            return Ok(given.clone());
-        }
-        let words = |(_, line): &(u64, String)| {
-            dialect.learn(line).unwrap_or(dialect).words(line).iter().map(|&w| w.to_owned()).collect()
-        };
-        let points: Vec<Vec<String>> =
-            self.rows.iter().filter(|(_, line)| line.parse::<u64>().is_err()).map(words).collect();
-        let width = points.first().map_or(0, Vec::len);
-        if let Some(named) = self.naming.iter().rev().find_map(|t| Columns::of_title(t, width)) {
-            if named.are_turned() {
-                bail!(
-                    "its title names the columns {named}: does x go north there? Say which is which with --columns, e.g. --columns {named} or x,y,z"
-                );
-            }
-            return Ok(named);
-        }
-        match doubt(&points, &dialect) {
-            Some(why) => bail!("line {}: \"{}\": {why}", self.rows[0].0, cut(&self.rows[0].1)),
-            None => Ok(Columns::plain()),
-        }
-    }
-
-    fn said(&self, columns: &Columns, options: &ReadOptions) -> Vec<String> {
-        let mut out = Vec::new();
-        if !self.titles.is_empty() {
-            out.push(format!("{} title lines passed over, the first \"{}\"", self.titles.len(), cut(&self.titles[0])));
-        }
-        if options.columns.is_none() && *columns != Columns::plain() {
-            out.push(format!("columns as its title names them: {columns}"));
-        }
-        out
-    }
-}
-
-fn is_comment(line: &str) -> bool {
-    line.starts_with(['#', '/', '%', '!'])
-}
-
-/// Whether a line can be a point: numbers where the coordinates stand.
-fn is_row(line: &str, options: &ReadOptions) -> bool {
-    let plain = Columns::plain();
-    let columns = options.columns.as_ref().unwrap_or(&plain);
-    let comma = options.decimal_comma.then_some(Comma::Decimal);
-    let Some(dialect) = (Dialect { comma, ..Dialect::default() }).learn(line) else { return false };
-    let words = dialect.words(line);
-    let is_number = |place: usize| {
-        words.get(place).is_some_and(|w| dialect.value(w).is_some() || super::text::dialect::is_ambiguous(w))
-    };
-    columns.coordinates().is_some_and(|places| places.into_iter().all(is_number))
-}
-
-/// A line to quote.
-fn cut(line: &str) -> String {
-    const LONGEST: usize = 80;
-    if line.chars().count() <= LONGEST { line.into() } else { line.chars().take(LONGEST).chain(['…']).collect() }
 }
 
 /// Points as they are read.
 struct Cloud<'a> {
     dialect: Dialect,
+    head: &'a Head,
     columns: &'a Columns,
     /// Coordinates first, and nothing else that is wanted.
     is_plain: bool,
     places: [usize; 3],
+    /// Number and width of the first row.
+    first: (u64, Width),
+    /// The width every row must have where the user does not say which columns hold what.
+    width: Option<Width>,
     points: Vec<Beam>,
     planes: Planes,
     promised: Option<u64>,
 }
 
 impl<'a> Cloud<'a> {
-    fn new(dialect: Dialect, columns: &'a Columns, options: &ReadOptions) -> Result<Self> {
+    fn new(dialect: Dialect, head: &'a Head, layout: &'a Layout, options: &ReadOptions) -> Result<Self> {
+        let (columns, first) = (&layout.columns, layout.width);
         let places = columns.coordinates().ok_or_else(|| anyhow!("no columns of coordinates"))?;
         let (planes, is_plain) = (Planes::wanted(columns, options), *columns == Columns::plain());
-        Ok(Self { dialect, columns, is_plain, places, points: Vec::new(), planes, promised: None })
+        let width = options.columns.is_none().then_some(first.1);
+        let (points, promised) = (Vec::new(), head.promised);
+        Ok(Self { dialect, head, columns, is_plain, places, first, width, points, planes, promised })
     }
 
     fn add(&mut self, line: &str, number: u64) -> Result<()> {
@@ -203,23 +89,41 @@ impl<'a> Cloud<'a> {
             self.promised = Some(before.saturating_add(count));
             return Ok(());
         }
+        if self.head.repeats_title(line) {
+            return Ok(());
+        }
         let Some(dialect) = self.dialect.learn(line) else {
             bail!("line {number}: the commas of \"{}\" contradict those before", cut(line));
         };
         let words = dialect.words(line);
         let value = |place: usize| words.get(place).and_then(|w| dialect.value(w));
         let [Some(x), Some(y), Some(z)] = self.places.map(value) else {
-            bail!("line {number}: three coordinates expected, found \"{}\"{}", cut(line), hint(line));
+            let way = hint(line, dialect.comma);
+            bail!("line {number}: three coordinates expected, found \"{}\"{way}", cut(line));
         };
+        let width = Width::of(&words);
+        if self.must_be(line).is_some_and(|w| !w.fits(width)) {
+            bail!("{}", uneven(self.first, (number, width)));
+        }
         self.points.push(Beam { offset: Vec3::new(x, y, z), returned: true });
         self.planes.add(|column| self.columns.place(column).and_then(value));
         Ok(())
     }
 
+    /// The width that a line must have: with an empty cell between tabs its columns have moved.
+    fn must_be(&self, line: &str) -> Option<Width> {
+        self.width.or_else(|| line.contains("\t\t").then_some(self.first.1))
+    }
+
     /// Coordinates first, parted as the lines before.
     fn plain(&self, line: &str) -> Option<[f64; 3]> {
         let dialect = if line.contains(',') { self.dialect.learn(line)? } else { self.dialect };
-        dialect.numbers::<3>(line)
+        dialect.point(line, self.must_be(line))
+    }
+
+    fn scale(&mut self, unit: Option<Unit>) {
+        let Some(unit) = unit.filter(|u| *u != Unit::M) else { return };
+        self.points.iter_mut().for_each(|p| p.offset *= unit.metres());
     }
 
     /// A word where a PTS promises less than it holds; an error where it promises more.
@@ -230,25 +134,5 @@ impl<'a> Cloud<'a> {
             Some(n) if n < held => Ok(vec![format!("it promises {n} points and holds {held}; all were read")]),
             _ => Ok(Vec::new()),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_to_quote_are_cut() {
-        assert_eq!(cut("1 2 3"), "1 2 3");
-        assert_eq!(cut(&"ä".repeat(100)).chars().count(), 81);
-    }
-
-    #[test]
-    fn rows_are_told_from_titles() {
-        let is = |line| is_row(line, &ReadOptions::default());
-        assert!(is("1 2 3") && is("1,5;2,5;3,5") && is("1,234 2,345 3,456"));
-        assert!(!is("Project: hall") && !is("12") && !is("P1 1 2 3"));
-        let named = ReadOptions { columns: Some("n,x,y,z".parse().unwrap()), ..ReadOptions::default() };
-        assert!(is_row("P1 1 2 3", &named) && !is_row("1 2 3", &named));
     }
 }

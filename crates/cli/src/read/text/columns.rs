@@ -2,8 +2,6 @@
 
 use std::str::FromStr;
 
-use super::dialect::Dialect;
-
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Column {
@@ -86,24 +84,9 @@ impl Columns {
         Some([self.place(Column::X)?, self.place(Column::Y)?, self.place(Column::Z)?])
     }
 
-    /// Columns by the words of a title: `None` unless it names x, y, z and as many columns as there are.
-    pub fn of_title(title: &str, columns: usize) -> Option<Self> {
-        let bare = title.trim_start_matches(['/', '#', '!', '%', ' ', '\t']).to_lowercase();
-        let words: Vec<&str> = bare.split([' ', '\t', ',', ';', '|', '"']).filter(|w| !w.is_empty()).collect();
-        let column = |word: &&str| match word.trim_matches(['[', ']', '(', ')']) {
-            "x" => Column::X,
-            "y" => Column::Y,
-            "z" => Column::Z,
-            "i" | "intensity" | "reflectance" => Column::Intensity,
-            "r" | "red" => Column::Red,
-            "g" | "green" => Column::Green,
-            "b" | "blue" => Column::Blue,
-            _ => Column::Skip,
-        };
-        let all = Self(words.iter().map(column).collect());
-        let is_whole = words.len() == columns && all.coordinates().is_some();
-        let once = LETTERS[2..].iter().all(|(_, c)| all.0.iter().filter(|o| *o == c).count() <= 1);
-        (is_whole && once).then_some(all)
+    /// Columns as a title names them.
+    pub fn of(columns: Vec<Column>) -> Self {
+        Self(columns)
     }
 
     /// Whether y stands before x, as surveyors write whose x goes north.
@@ -112,61 +95,28 @@ impl Columns {
     }
 }
 
-/// Why the first three of several columns do not look like coordinates.
-pub fn doubt(rows: &[Vec<String>], dialect: &Dialect) -> Option<String> {
-    let columns = rows.iter().map(Vec::len).min().unwrap_or(0);
-    if columns < 4 || rows.len() < 2 {
-        return None;
-    }
-    let is_whole = |word: &String| word.bytes().all(|b| b.is_ascii_digit());
-    let first: Vec<f64> = rows.iter().filter(|r| is_whole(&r[0])).filter_map(|r| dialect.value(&r[0])).collect();
-    let counts = first.len() == rows.len() && first.windows(2).all(|w| w[1] > w[0]);
-    let steps = first.windows(2).all(|w| w[1] - w[0] == 1.0);
-    let others_have_decimals = rows.iter().any(|r| !r[1..4].iter().all(is_whole));
-    if counts && (steps || others_have_decimals) {
-        return Some(format!(
-            "its first column counts up from {}: if that is the points' number say --columns n,x,y,z, if it is a coordinate --columns x,y,z",
-            rows[0][0]
-        ));
-    }
-    let three = |row: &Vec<String>| groups(row).is_some_and(|n| (3..=4).contains(&n));
-    if columns >= 5 && rows.iter().all(three) {
-        return Some(
-            "its numbers look as if blanks or commas parted their thousands: write them without, or say with --columns which columns hold x, y, z".into(),
-        );
-    }
-    None
+/// How many words a line has, with and without those that are empty at its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Width {
+    pub all: usize,
+    pub filled: usize,
 }
 
-/// How many numbers a line has if groups of three digits belong to what stands before; `None` where none does.
-fn groups(row: &[String]) -> Option<usize> {
-    let whole = |word: &str| word.split('.').next().unwrap_or_default().to_owned();
-    let digits = |s: &str| !s.is_empty() && s.bytes().all(|b| b.is_ascii_digit());
-    let (mut count, mut joined, mut open) = (0, 0u32, false);
-    for word in row {
-        let group = whole(word);
-        if open && group.len() == 3 && digits(&group) {
-            // Behind the coordinates stand colours.
-            joined += u32::from(count <= 3);
-        } else {
-            count += 1;
-        }
-        // Behind decimals nothing goes on.
-        open = digits(word) && word.len() <= 3;
+impl Width {
+    pub fn of<W: AsRef<str>>(words: &[W]) -> Self {
+        let filled = words.iter().rposition(|w| !w.as_ref().is_empty()).map_or(0, |last| last + 1);
+        Self { all: words.len(), filled }
     }
-    (joined > 0).then_some(count)
+
+    /// Whether lines of both widths can be of one table: a mark at the end may be left out.
+    pub fn fits(self, other: Self) -> bool {
+        self.all == other.all || self.filled == other.filled
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn doubts(lines: &[&str]) -> Option<String> {
-        let dialect = Dialect::of(lines[0]).unwrap();
-        let rows: Vec<Vec<String>> =
-            lines.iter().map(|l| dialect.words(l).into_iter().map(ToOwned::to_owned).collect()).collect();
-        doubt(&rows, &dialect)
-    }
 
     #[test]
     fn columns_are_named_once() {
@@ -174,42 +124,6 @@ mod tests {
         assert_eq!("-, Y ,X,z".parse::<Columns>().unwrap().to_string(), "-,y,x,z");
         for wrong in ["", "x,y", "x,y,z,x", "a,x,y,z"] {
             assert!(wrong.parse::<Columns>().is_err(), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn titles_tell_columns() {
-        let of = |title, n| Columns::of_title(title, n).map(|c| c.to_string());
-        assert_eq!(of("//X Y Z R G B", 6).unwrap(), "x,y,z,r,g,b");
-        assert_eq!(of("\"id\";\"x\";\"y\";\"z\"", 4).unwrap(), "-,x,y,z");
-        assert_eq!(of("X Y Z", 4), None);
-        assert_eq!(of("Project: hall", 2), None);
-        assert!(Columns::of_title("Y X Z", 3).unwrap().are_turned());
-    }
-
-    #[test]
-    fn numbers_of_points_are_noticed() {
-        for (lines, is_doubtful) in [
-            (&["1 1.25 2.5 0.75", "2 1.5 2.5 0.75"][..], true),
-            (&["1001 1.25 2.5 0.75", "1007 1.5 2.5 0.75"], true),
-            (&["1 5 7 9", "2 5 7 9", "3 5 7 9"], true),
-            (&["1.25 2.5 0.75 7", "1.5 2.5 0.75 8"], false),
-            (&["5 2.5 0.75 7", "5 2.6 0.75 8"], false),
-            (&["1 2.5 0.75", "2 2.6 0.75"], false),
-        ] {
-            assert_eq!(doubts(lines).is_some(), is_doubtful, "{lines:?}");
-        }
-    }
-
-    #[test]
-    fn thousands_between_blanks_are_noticed() {
-        for (lines, is_doubtful) in [
-            (&["512 345.67 5 412 345.45 101.5", "512 346.67 5 412 345.45 101.6"][..], true),
-            (&["500,000.12,5,400,000.45,101.5", "500,000.13,5,400,000.46,101.6"], true),
-            (&["513 345.67 5 255 128 101", "512 345.67 5 255 128 7"], false),
-            (&["1.5 345.67 5.2 255 128 101", "1.6 345.67 5.2 255 128 101"], false),
-        ] {
-            assert_eq!(doubts(lines).is_some(), is_doubtful, "{lines:?}");
         }
     }
 }

@@ -1,5 +1,10 @@
 //! How a file writes its numbers: what parts them, and what a comma within one means.
 
+use super::columns::Width;
+use super::number::{Form, form, has_points, may_have_points, without_marks};
+
+pub use super::number::Comma;
+
 /// What stands between the numbers of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Separator {
@@ -12,18 +17,13 @@ pub enum Separator {
     Comma,
 }
 
-/// What a comma within a number means.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Comma {
-    Decimal,
-    Thousands,
-}
-
 /// Separator and comma, as far as they are known yet.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Dialect {
     pub separator: Separator,
     pub comma: Option<Comma>,
+    /// Beside decimal commas: points part thousands.
+    pub points: bool,
 }
 
 impl std::fmt::Display for Dialect {
@@ -38,18 +38,9 @@ impl std::fmt::Display for Dialect {
             None => "",
             Some(Comma::Decimal) => ", decimal commas",
             Some(Comma::Thousands) => ", thousands by commas",
-        })
+        })?;
+        f.write_str(if self.points { ", thousands by points" } else { "" })
     }
-}
-
-/// What the commas of a word say.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Form {
-    Plain,
-    Certain(Comma),
-    /// `1,234`: either.
-    Ambiguous,
-    NoNumber,
 }
 
 impl Dialect {
@@ -61,8 +52,9 @@ impl Dialect {
     /// The separator of a line, and what its first words add to what is known of commas.
     pub fn learn(mut self, line: &str) -> Option<Self> {
         self.separator = separator(line);
-        if line.contains(',') {
+        if line.contains(',') || self.comma == Some(Comma::Decimal) {
             for word in self.words(line).into_iter().take(3) {
+                self.points |= has_points(word) && (word.contains(',') || self.comma == Some(Comma::Decimal));
                 match (form(word), self.comma) {
                     (Form::Certain(new), None) => self.comma = Some(new),
                     (Form::Certain(new), Some(known)) if new != known => return None,
@@ -77,26 +69,37 @@ impl Dialect {
     pub fn words<'a>(&self, line: &'a str) -> Vec<&'a str> {
         let bare = |word: &'a str| word.trim_matches([' ', '\t', '"']);
         match self.separator {
+            Separator::Blank if line.contains('"') => {
+                unquoted(line, &[' ', '\t']).map(|w| bare(w).trim_end_matches(',')).filter(|w| !w.is_empty()).collect()
+            }
             Separator::Blank => {
                 line.split([' ', '\t']).map(|w| bare(w).trim_end_matches(',')).filter(|w| !w.is_empty()).collect()
             }
-            Separator::Semicolon => unquoted(line, ';').map(bare).collect(),
-            Separator::Pipe => unquoted(line, '|').map(bare).collect(),
-            Separator::Comma if line.contains('"') => unquoted(line, ',').map(bare).collect(),
-            Separator::Comma => line
-                .split(',')
-                .flat_map(|piece| piece.trim().split([' ', '\t']).enumerate().filter(|(i, w)| *i == 0 || !w.is_empty()))
-                .map(|(_, word)| word)
-                .collect(),
+            Separator::Semicolon => unquoted(line, &[';']).map(bare).collect(),
+            Separator::Pipe => unquoted(line, &['|']).map(bare).collect(),
+            Separator::Comma if line.contains('"') => unquoted(line, &[',']).map(bare).collect(),
+            Separator::Comma => line.split(',').flat_map(|cell| numbers_within(cell.trim())).collect(),
         }
     }
 
     /// The value of a word; `None` where it is no number, or its comma is not known.
     pub fn value(&self, word: &str) -> Option<f64> {
         if let Ok(value) = word.parse() {
-            return Some(value);
+            // Beside decimal commas 1.250 may be a thousand and more.
+            let is_doubtful = self.comma == Some(Comma::Decimal) && (self.points || may_have_points(word));
+            if !is_doubtful || !word.contains('.') {
+                return Some(value);
+            }
         }
-        let word = without_marks(word)?;
+        let mut word = without_marks(word)?;
+        if self.comma == Some(Comma::Decimal) && word.contains('.') {
+            let whole = &word[..word.find(',').unwrap_or(word.len())];
+            if self.points && may_have_points(whole) {
+                word = word.replace('.', "");
+            } else if self.points || may_have_points(&word) {
+                return None;
+            }
+        }
         match (form(&word), self.comma) {
             (Form::Plain, _) => word.parse().ok(),
             (Form::Ambiguous | Form::Certain(Comma::Decimal), Some(Comma::Decimal)) => {
@@ -107,6 +110,20 @@ impl Dialect {
             }
             _ => None,
         }
+    }
+
+    /// The first three numbers of a line, if it is as wide as it must be.
+    pub fn point(&self, line: &str, width: Option<Width>) -> Option<[f64; 3]> {
+        let Some(width) = width else { return self.numbers(line) };
+        if self.separator != Separator::Blank || line.contains([',', '"']) {
+            return if width.fits(Width::of(&self.words(line))) { self.numbers(line) } else { None };
+        }
+        let mut words = line.split_ascii_whitespace();
+        let mut next = || self.value(words.next()?);
+        let point = [next()?, next()?, next()?];
+        // Counted byte by byte, which is quicker than word by word.
+        let count = 1 + line.as_bytes().windows(2).filter(|w| w[0] <= b' ' && w[1] > b' ').count();
+        (count == width.filled || count == width.all).then_some(point)
     }
 
     /// The first `N` numbers of a line.
@@ -128,12 +145,20 @@ impl Dialect {
 }
 
 /// The pieces of a line between marks that do not stand within quotes.
-fn unquoted(line: &str, mark: char) -> impl Iterator<Item = &str> {
+pub fn unquoted<'a>(line: &'a str, marks: &[char]) -> impl Iterator<Item = &'a str> {
     let mut within = false;
     line.split(move |c: char| {
         within ^= c == '"';
-        c == mark && !within
+        marks.contains(&c) && !within
     })
+}
+
+/// A cell between commas is several words where blanks part numbers; a name or time with blanks stays one.
+fn numbers_within(cell: &str) -> impl Iterator<Item = &str> {
+    let has_blanks = cell.contains([' ', '\t']);
+    let is_one = !has_blanks || !cell.split_ascii_whitespace().all(|w| w.parse::<f64>().is_ok());
+    let pieces = if is_one { None } else { Some(cell.split_ascii_whitespace()) };
+    is_one.then_some(cell).into_iter().chain(pieces.into_iter().flatten())
 }
 
 /// The first `N` numbers of a line by itself.
@@ -146,11 +171,17 @@ pub fn is_ambiguous(word: &str) -> bool {
     form(word) == Form::Ambiguous
 }
 
-/// What to say about a line whose commas are not understood.
-pub fn hint(line: &str) -> &'static str {
+/// What to say about a line whose commas or points are not understood.
+pub fn hint(line: &str, comma: Option<Comma>) -> &'static str {
     let Some(dialect) = Dialect::of(line) else { return "" };
-    if dialect.separator != Separator::Comma && dialect.words(line).into_iter().any(is_ambiguous) {
+    let words = dialect.words(line);
+    if comma.or(dialect.comma) == Some(Comma::Decimal) && words.iter().any(|w| may_have_points(w)) {
+        return "; beside decimal commas its points may part thousands or decimals: write the numbers with one mark";
+    }
+    if dialect.separator != Separator::Comma && words.iter().any(|w| is_ambiguous(w)) {
         "; does a comma part thousands or decimals? Say --decimal-comma, or write the numbers with points alone"
+    } else if words.iter().any(|w| has_points(w)) {
+        "; if its points part thousands say --decimal-comma, or write the numbers without"
     } else {
         ""
     }
@@ -166,47 +197,10 @@ fn separator(line: &str) -> Separator {
     if !line.contains(',') {
         return Separator::Blank;
     }
-    let blank = Dialect { separator: Separator::Blank, comma: None };
+    let blank = Dialect::default();
     let words = blank.words(line);
     let are_numbers = words.len() >= 3 && words[..3].iter().all(|w| form(w) != Form::NoNumber);
     if are_numbers { Separator::Blank } else { Separator::Comma }
-}
-
-fn form(word: &str) -> Form {
-    let digits = word.trim_start_matches(['+', '-']);
-    if !digits.contains(',') {
-        return Form::Plain;
-    }
-    let (whole, decimals) = digits.split_once('.').map_or((digits, None), |(w, d)| (w, Some(d)));
-    let all_digits = |s: &str| s.bytes().all(|b| b.is_ascii_digit());
-    let mut groups = whole.split(',');
-    let first = groups.next().unwrap_or_default();
-    let is_grouped = (1..=3).contains(&first.len())
-        && all_digits(first)
-        && !first.starts_with('0')
-        && groups.clone().all(|g| g.len() == 3 && all_digits(g));
-    match (groups.count(), is_grouped, decimals) {
-        (1, true, None) => Form::Ambiguous,
-        (_, true, d) if d.is_none_or(|d| d.replace(['e', 'E', '+', '-'], "").bytes().all(|b| b.is_ascii_digit())) => {
-            Form::Certain(Comma::Thousands)
-        }
-        (1, _, None) if digits.replace(',', ".").parse::<f64>().is_ok() => Form::Certain(Comma::Decimal),
-        _ => Form::NoNumber,
-    }
-}
-
-/// The word without apostrophes and blanks between thousands, where they stand right.
-fn without_marks(word: &str) -> Option<String> {
-    const MARKS: [char; 5] = ['\'', '\u{2019}', ' ', '\u{a0}', '\u{202f}'];
-    if !word.contains(MARKS) {
-        return Some(word.to_owned());
-    }
-    let digits = word.trim_start_matches(['+', '-']);
-    let whole = digits.find(['.', ',']).map_or(digits, |end| &digits[..end]);
-    let mut groups = whole.split(MARKS);
-    let starts = groups.next().is_some_and(|g| (1..=3).contains(&g.len()) && g.bytes().all(|b| b.is_ascii_digit()));
-    let goes_on = groups.all(|g| g.len() == 3 && g.bytes().all(|b| b.is_ascii_digit()));
-    (starts && goes_on).then(|| word.replace(MARKS, ""))
 }
 
 #[cfg(test)]
@@ -240,6 +234,38 @@ mod tests {
     }
 
     #[test]
+    fn points_part_thousands_beside_decimal_commas() {
+        let utm = Some([500_000.12, 5_400_000.45, 101.5]);
+        for (line, expected) in [
+            ("500.000,12 5.400.000,45 101,50", utm),
+            ("500.000,12\t5.400.000,45\t101,50", utm),
+            ("500.000,12;5.400.000,45;101,50", utm),
+            ("500.000,12 5.400.000 1.250", Some([500_000.12, 5_400_000.0, 1250.0])),
+            ("-1.250,5 2,5 0", Some([-1250.5, 2.5, 0.0])),
+            // Points as both marks.
+            ("1.250,5 2.25 3,5", None),
+            // Is that 1.25 or 1250?
+            ("1.250 2,5 3,5", None),
+            ("1.25 2,5 3,5", Some([1.25, 2.5, 3.5])),
+            ("1.25.0,5 2,5 3,5", None),
+        ] {
+            assert_eq!(numbers::<3>(line), expected, "{line}");
+        }
+        let known = Dialect { comma: Some(Comma::Decimal), ..Dialect::default() };
+        let line = "500.000 5.400.000 101";
+        assert_eq!(known.learn(line).unwrap().numbers::<3>(line), Some([500_000.0, 5_400_000.0, 101.0]));
+        assert!(hint(line, None).contains("--decimal-comma"));
+    }
+
+    #[test]
+    fn cells_keep_their_blanks() {
+        let words = |line: &str| Dialect::of(line).unwrap().words(line).join("|");
+        assert_eq!(words("Wall 12,1.25,2.5,0.75"), "Wall 12|1.25|2.5|0.75");
+        assert_eq!(words("\"Point 1\" 1.25 2.5 0.75"), "Point 1|1.25|2.5|0.75");
+        assert_eq!(words("1.5,2.5,3.5 255 0"), "1.5|2.5|3.5|255|0");
+    }
+
+    #[test]
     fn thousands_are_no_coordinates_of_their_own() {
         let utm = Some([500_000.12, 5_400_000.45, 101.5]);
         for (line, expected) in [
@@ -258,8 +284,8 @@ mod tests {
         ] {
             assert_eq!(numbers::<3>(line), expected, "{line}");
         }
-        assert!(hint("1,234 2,345 3,456").contains("--decimal-comma"));
-        let known = Dialect { separator: Separator::Blank, comma: Some(Comma::Decimal) };
+        assert!(hint("1,234 2,345 3,456", None).contains("--decimal-comma"));
+        let known = Dialect { comma: Some(Comma::Decimal), ..Dialect::default() };
         assert_eq!(known.numbers::<3>("1,234 2,345 3,456"), Some([1.234, 2.345, 3.456]));
     }
 }

@@ -122,7 +122,7 @@ impl<'a> Lines<'a> {
     }
 
     fn unlike(&self, expected: &str) -> Error {
-        anyhow!("line {}: {expected}, found \"{}\"{}", self.number, self.text, hint(&self.text))
+        anyhow!("line {}: {expected}, found \"{}\"{}", self.number, self.text, hint(&self.text, self.dialect.comma))
     }
 
     /// Number of the line read last.
@@ -131,9 +131,9 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Blanks and the byte order marks that joining files leaves within.
+/// Blanks, the byte order marks that joining files leaves within, and the end mark of DOS.
 fn trimmed(text: &str) -> &str {
-    text.trim_matches(|c: char| c.is_whitespace() || c == '\u{feff}')
+    text.trim_matches(|c: char| c.is_whitespace() || c == '\u{feff}' || c == '\u{1a}')
 }
 
 /// Appends up to the end of the line, which is taken off; returns the bytes read.

@@ -2,8 +2,13 @@
 
 pub mod columns;
 pub mod dialect;
+pub mod doubt;
+pub mod head;
 pub mod lines;
+mod number;
+pub mod title;
 
 pub use columns::{Column, Columns};
 pub use dialect::{Dialect, numbers};
+pub use head::Head;
 pub use lines::Lines;
