@@ -102,6 +102,7 @@ pub fn read_scans(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: S
     };
     silence_panics(read)
         .unwrap_or_else(|_| Err(anyhow!("the file is damaged: its reader gave up in the middle")))
+        .map_err(in_words)
         .with_context(|| format!("{}", path.display()))
 }
 
@@ -112,6 +113,22 @@ pub fn silence_panics<T>(work: impl FnOnce() -> T) -> std::thread::Result<T> {
     let result = catch_unwind(AssertUnwindSafe(work));
     std::panic::set_hook(hook);
     result
+}
+
+/// What the libraries say of a file that is too short, as a user would.
+fn in_words(error: anyhow::Error) -> anyhow::Error {
+    let is_short = error.chain().any(|cause| {
+        cause.downcast_ref::<std::io::Error>().is_some_and(|e| e.kind() == std::io::ErrorKind::UnexpectedEof)
+            || cause.to_string() == "failed to fill whole buffer"
+    });
+    if !is_short {
+        return error;
+    }
+    let what = error.chain().map(ToString::to_string).find(|text| text != "failed to fill whole buffer");
+    anyhow!(
+        "{}: it is cut short, or damaged: copy or export it again",
+        what.unwrap_or_else(|| "it ends too early".into())
+    )
 }
 
 /// Points in world coordinates, in the file's unit, as a scan from `options.origin`, or as points without origin.

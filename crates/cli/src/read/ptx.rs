@@ -22,17 +22,22 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
             bail!("line {}: {columns}×{rows} is no scan grid", lines.number());
         }
         number += 1;
-        let (rotation, anchor) = pose(&mut lines)?;
-        let (cells, notes) = cells(&mut lines, columns as u32, rows as u32)?;
+        let Pose { rotation, anchor, are_world, notes: said } = pose(&mut lines)?;
+        let (cells, mut notes) = cells(&mut lines, columns as u32, rows as u32)?;
+        notes.splice(0..0, said);
+        let from = if are_world { anchor } else { Vec3::zeros() };
+        let offset = |p: Vec3| rotation * p - from;
         let mut beams: Vec<Beam> =
-            cells.iter().filter_map(|c| c.point).map(|p| Beam { offset: rotation * p, returned: true }).collect();
+            cells.iter().filter_map(|c| c.point).map(|p| Beam { offset: offset(p), returned: true }).collect();
         beams.extend(missing_directions(&cells).iter().map(|d| Beam { offset: rotation * d, returned: false }));
         let facts = Facts::from([("grid".into(), format!("{columns} columns × {rows} rows"))]);
         let order = if columns == 1.0 || rows == 1.0 { Order::List } else { Order::Measured };
+        // In a list an empty cell has no direction: it is a point that is none.
+        let empty = cells.iter().filter(|c| c.point.is_none()).count() as u64;
+        let unusable = if order == Order::List { empty } else { 0 };
         let name = if number == 1 { stem(path) } else { format!("{} #{number}", stem(path)) };
         let (world_from_scan, content) = (Some(quaternion(&rotation)), Content::of(beams));
-        let mut scan =
-            RawScan { name, sensor: None, world_from_scan, anchor, content, unusable: 0, order, notes, facts };
+        let mut scan = RawScan { name, sensor: None, world_from_scan, anchor, content, unusable, order, notes, facts };
         unit::apply(options.file_unit, &mut scan);
         sink(scan)?;
     }
@@ -57,10 +62,20 @@ fn next_count(lines: &mut Lines) -> Result<Option<f64>> {
     }
 }
 
-/// Scanner position and axes (repeated in the matrix, and passed over), then the matrix of row vectors: a point
-/// p of the scanner lies at p·M.
-fn pose(lines: &mut Lines) -> Result<(Matrix3<f64>, Vec3)> {
-    for what in ["the scanner's position", "the first axis", "the second axis", "the third axis"] {
+/// Where a scan's points lie.
+struct Pose {
+    rotation: Matrix3<f64>,
+    anchor: Vec3,
+    /// The points are in the world already.
+    are_world: bool,
+    notes: Vec<String>,
+}
+
+/// Scanner position and axes (repeated in the matrix), then the matrix of row vectors: a point p of the scanner lies at
+/// p·M.
+fn pose(lines: &mut Lines) -> Result<Pose> {
+    let position = Vec3::from(lines.numbers::<3>("the scanner's position")?);
+    for what in ["the first axis", "the second axis", "the third axis"] {
         lines.numbers::<3>(what)?;
     }
     let mut rows = [[0.0; 4]; 4];
@@ -70,8 +85,32 @@ fn pose(lines: &mut Lines) -> Result<(Matrix3<f64>, Vec3)> {
     if rows.iter().flatten().any(|v| !v.is_finite()) {
         bail!("line {}: the transformation is not finite", lines.number());
     }
+    let mut notes = Vec::new();
+    // Some write it for column vectors: then the place stands in its last column.
+    let last_column = Vec3::new(rows[0][3], rows[1][3], rows[2][3]);
+    if rows[3][..3] == [0.0; 3] && last_column != Vec3::zeros() {
+        rows = std::array::from_fn(|i| std::array::from_fn(|j| rows[j][i]));
+        notes.push("its transformation has the scanner's place in the last column, and was read so".into());
+    }
     let rotation = Matrix3::from_fn(|i, j| rows[j][i]);
-    Ok((rotation, Vec3::new(rows[3][0], rows[3][1], rows[3][2])))
+    if rotation.determinant().abs() < 1e-12 {
+        bail!("line {}: the transformation puts all points into a plane: no scan has it", lines.number());
+    }
+    let mut anchor = Vec3::new(rows[3][0], rows[3][1], rows[3][2]);
+    let apart = (position - anchor).norm() > 1e-3;
+    let are_world = apart && anchor == Vec3::zeros() && rotation == Matrix3::identity();
+    if are_world {
+        anchor = position;
+        notes.push(
+            "its transformation is none, but its scanner's place is told: its points were taken as they are".into(),
+        );
+    } else if apart && position != Vec3::zeros() {
+        notes.push(format!(
+            "its scanner's place is told as {} {} {} and by its transformation as {} {} {}; the latter was taken",
+            position.x, position.y, position.z, anchor.x, anchor.y, anchor.z
+        ));
+    }
+    Ok(Pose { rotation, anchor, are_world, notes })
 }
 
 /// Cells, and a note. One column is no grid but a list of points in any order, whose count many writers guess.

@@ -26,6 +26,10 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     bar.set_length(clouds.iter().map(|c| c.records).sum());
     let mut points = 0;
     for (i, cloud) in clouds.iter().enumerate() {
+        if cloud.records == 0 && clouds.len() > 1 {
+            notes.push(format!("point cloud {} of {} holds no points", i + 1, clouds.len()));
+            continue;
+        }
         check(cloud, length)?;
         let mut scan = read_cloud(&mut file, cloud, options, bar)?;
         scan.notes.append(&mut notes);

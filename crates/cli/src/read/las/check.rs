@@ -21,6 +21,8 @@ const EVLR_HEAD: u64 = 60;
 pub struct Checked {
     pub count: u64,
     pub parallelism: LazParallelism,
+    /// Points for which the file has room beyond those.
+    pub more: u64,
 }
 
 /// Number of points, after refusing what the file cannot hold.
@@ -36,7 +38,7 @@ pub fn check(file: &mut BufReader<Overlay<File>>) -> Result<Checked> {
         let laz = header.laz_vlr().context("not a readable LAZ file")?;
         if is_pointwise(&header) {
             // One stream from the first point to the last, which is read as it comes.
-            return Ok(Checked { count, parallelism: LazParallelism::No });
+            return Ok(Checked { count, parallelism: LazParallelism::No, more: 0 });
         }
         let odd = laz.items().is_empty() || laz.items_size() != len;
         if odd || (!laz.uses_variable_size_chunks() && too_large(u64::from(laz.chunk_size()), len)) {
@@ -47,7 +49,12 @@ pub fn check(file: &mut BufReader<Overlay<File>>) -> Result<Checked> {
     } else if u128::from(count) * u128::from(len) > u128::from(room) {
         bail!("its header promises {count} points, more than the file holds");
     }
-    Ok(Checked { count, parallelism: LazParallelism::Yes })
+    // What stands behind the points, extended records or waveforms, is no point.
+    let end = fixed.evlr.map(|e| e.start_of_first_evlr).filter(|&at| at > 0).unwrap_or(length).min(length);
+    let is_plain = !header.point_format().is_compressed && !header.point_format().has_waveform;
+    let rest = end.saturating_sub(u64::from(fixed.offset_to_point_data) + count * len);
+    let more = if is_plain { rest / len.max(1) } else { 0 };
+    Ok(Checked { count, parallelism: LazParallelism::Yes, more })
 }
 
 /// The first LAZ files were one chunk without a table.

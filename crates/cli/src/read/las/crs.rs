@@ -11,6 +11,8 @@ use super::wkt::Node;
 pub struct Units {
     pub across: Option<f64>,
     pub up: Option<f64>,
+    /// The file names a system of coordinates, whether its unit was understood or not.
+    pub has_system: bool,
 }
 
 const DEGREES: &str =
@@ -27,26 +29,46 @@ pub fn units(header: &Header) -> Result<Units> {
     }
     match header.get_geotiff_crs() {
         Ok(Some(keys)) => of_keys(&keys),
-        _ => Ok(Units::default()),
+        Ok(None) => Ok(Units::default()),
+        // Their directory is damaged: what they say of the unit is lost.
+        Err(_) => Ok(Units { has_system: true, ..Units::default() }),
     }
 }
 
 /// By OGC's well-known text, versions 1 and 2.
 fn of_wkt(text: &str) -> Result<Units> {
-    let Some(root) = Node::parse(text) else { return Ok(Units::default()) };
-    let systems = if root.is(&["COMPD_CS", "COMPOUNDCRS"]) { root.children() } else { std::slice::from_ref(&root) };
-    let mut units = Units::default();
-    for system in systems {
+    let mut units = Units { has_system: true, ..Units::default() };
+    let Some(roots) = Node::parse_all(text) else { return Ok(units) };
+    for system in roots.iter().flat_map(|root| systems(root, 0)) {
         if system.is(&["GEOGCS", "GEOGCRS", "GEODCRS", "GEOGRAPHICCRS", "GEODETICCRS"]) && !is_geocentric(system) {
             bail!(DEGREES);
         }
-        if system.is(&["PROJCS", "PROJCRS", "PROJECTEDCRS", "LOCAL_CS", "ENGCRS", "ENGINEERINGCRS"]) {
-            units.across = unit_of(system);
+        if system.is(&PROJECTED) {
+            let code = || system.child(&["AUTHORITY", "ID"]).and_then(Node::code);
+            units.across = match unit_of(system) {
+                None => code().map(of_system).transpose()?.flatten(),
+                told => told,
+            };
+            // The third axis of a system in space.
+            let axes: Vec<&Node> = system.children().iter().filter(|c| c.is(&["AXIS"])).collect();
+            units.up = axes.get(2).and_then(|axis| axis.child(&UNITS)?.number()).or(units.up);
         } else if system.is(&["VERT_CS", "VERTCS", "VERTCRS", "VERTICALCRS"]) {
             units.up = unit_of(system);
         }
     }
     Ok(units)
+}
+
+const PROJECTED: [&str; 7] =
+    ["PROJCS", "PROJCRS", "PROJECTEDCRS", "DERIVEDPROJCRS", "LOCAL_CS", "ENGCRS", "ENGINEERINGCRS"];
+
+/// The systems that one is made of: of a compound all, of one bound to another its own.
+fn systems(root: &Node, depth: usize) -> Vec<&Node> {
+    if depth > 8 || !root.is(&["COMPD_CS", "COMPOUNDCRS", "BOUNDCRS", "SOURCECRS"]) {
+        return vec![root];
+    }
+    let parts = root.children().iter().filter(|c| !root.is(&["BOUNDCRS"]) || c.is(&["SOURCECRS"]));
+    parts.flat_map(|part| systems(part, depth + 1)).collect()
 }
 
 fn is_geocentric(system: &Node) -> bool {
@@ -55,10 +77,11 @@ fn is_geocentric(system: &Node) -> bool {
 
 /// The unit of a system itself, or of its first axis.
 fn unit_of(system: &Node) -> Option<f64> {
-    const NAMES: [&str; 2] = ["UNIT", "LENGTHUNIT"];
-    let own = system.child(&NAMES);
-    own.or_else(|| system.child(&["AXIS"])?.child(&NAMES))?.number().filter(|m| *m > 0.0)
+    let own = system.child(&UNITS);
+    own.or_else(|| system.child(&["AXIS"])?.child(&UNITS))?.number().filter(|m| *m > 0.0)
 }
+
+const UNITS: [&str; 2] = ["UNIT", "LENGTHUNIT"];
 
 /// By GeoTIFF keys (OGC 19-008r4).
 fn of_keys(keys: &GeoTiffCrs) -> Result<Units> {
@@ -71,8 +94,10 @@ fn of_keys(keys: &GeoTiffCrs) -> Result<Units> {
         Some(GeoTiffData::Doubles(sizes)) => sizes.first().copied(),
         _ => None,
     };
-    // GTModelTypeGeoKey: geographic.
-    if code(1024) == Some(2) {
+    // GTModelTypeGeoKey: geographic; or where it is missing, a geographic system and no projected one.
+    let has = |id: u16| code(id).is_some_and(|code| code != 32_767);
+    let is_bare = !matches!(code(1024), Some(1 | 3)) && !has(3072) && !has(3076);
+    if code(1024) == Some(2) || (is_bare && (has(2048) || has(2054))) {
         bail!(DEGREES);
     }
     let unit = |key: u16, size_key: u16| match code(key) {
@@ -89,7 +114,7 @@ fn of_keys(keys: &GeoTiffCrs) -> Result<Units> {
         Some(metres) => Some(metres?),
         None => code(4096).and_then(of_vertical_system),
     };
-    Ok(Units { across, up })
+    Ok(Units { across, up, has_system: !keys.entries.is_empty() })
 }
 
 /// Units of length by their EPSG code.
@@ -152,6 +177,13 @@ pub fn factors(told: Units, given: Option<crate::read::Unit>) -> Result<([f64; 3
     let across = told.across.or(given).unwrap_or(1.0);
     let up = told.up.or(given).unwrap_or(across);
     let mut notes = Vec::new();
+    if told.has_system && told.across.is_none() && given.is_none() {
+        notes.push(
+            "it names a system of coordinates, but no unit of length that is understood: metres were taken; if they are \
+             others, say --file-unit"
+                .into(),
+        );
+    }
     if across != 1.0 || up != 1.0 {
         let heights = if told.up.is_some() || told.across.is_none() { "" } else { ", of which it says nothing" };
         notes.push(format!(
@@ -170,6 +202,10 @@ mod tests {
 
     const US: f64 = 1200.0 / 3937.0;
 
+    fn round(x: f64) -> f64 {
+        (x * 1e9).round() / 1e9
+    }
+
     #[test]
     fn well_known_texts_tell_units() {
         let utm = r#"PROJCS["UTM",GEOGCS["WGS 84",DATUM["x",SPHEROID["y",6378137,298.25]],UNIT["degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],UNIT["metre",1]]"#;
@@ -182,8 +218,15 @@ mod tests {
             (both.as_str(), Some(1.0), Some(0.3048)),
             (two, Some(0.3048), None),
             ("nonsense", None, None),
+            (&utm[..utm.len() - 1], None, None),
+            (&format!("BOUNDCRS[SOURCECRS[{two}],TARGETCRS[{utm}]]"), Some(0.3048), None),
+            (&format!("{utm},VERTCS[\"h\",VDATUM[\"d\"],UNIT[\"Foot\",0.3048]]"), Some(1.0), Some(0.3048)),
+            (r#"PROJCS["NY",AUTHORITY["EPSG","2263"]]"#, Some(US), None),
         ] {
-            assert_eq!(of_wkt(text).unwrap(), Units { across, up }, "{text}");
+            let units = of_wkt(text).unwrap();
+            assert_eq!((units.across.map(round), units.up), (across.map(round), up), "{text}");
+            // What is not understood is said.
+            assert_eq!(factors(units, None).unwrap().1.is_empty(), across == Some(1.0) && up.is_none(), "{text}");
         }
         assert!(of_wkt(r#"GEOGCS["WGS 84",UNIT["degree",0.0174532925199433]]"#).is_err());
         assert!(of_wkt(r#"GEOGCRS["WGS 84",CS[ellipsoidal,2]]"#).is_err());
@@ -211,6 +254,10 @@ mod tests {
             };
             assert!(same(found.across, across) && same(found.up, up), "{all:?}: {found:?}");
         }
+        assert!(
+            of_keys(&keys(&[(2048, 4326)])).is_err()
+                && of_keys(&keys(&[(1024, 1), (2048, 4326), (3076, 9001)])).is_ok()
+        );
         assert!(of_keys(&keys(&[(1024, 2)])).is_err() && of_keys(&keys(&[(3076, 9999)])).is_err());
     }
 }

@@ -24,7 +24,7 @@ const BYTES_AT_ONCE: u64 = 64 << 20;
 /// Reads all points but those withheld and, unless they are wanted, noise.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
     let (mut file, mut notes) = mend::open(File::open(path).context("cannot open it")?)?;
-    let check::Checked { count, parallelism } = check::check(&mut file)?;
+    let check::Checked { count, parallelism, more } = check::check(&mut file)?;
     file.rewind()?;
     bar.set_length(count);
     let serial = ReaderOptions::default().with_laz_parallelism(parallelism);
@@ -42,6 +42,9 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
         }
         points.add(&data, options);
         bar.inc(got);
+    }
+    if more > 0 {
+        notes.push(format!("its head counts {count} points; the file has room for {more} more, which were not read"));
     }
     notes.extend(points.said());
     if points.dropped.len() as u64 == count && count > 0 {

@@ -18,6 +18,16 @@ impl Node {
         Self::branch(&mut rest, 0)
     }
 
+    /// All trees that stand side by side, as in ESRI's pairs of a horizontal and a vertical system.
+    pub fn parse_all(text: &str) -> Option<Vec<Self>> {
+        let (mut rest, mut all) = (text.trim(), Vec::new());
+        while !rest.is_empty() {
+            all.push(Self::branch(&mut rest, 0)?);
+            rest = rest.trim_start_matches([',', ' ', '\r', '\n', '\t']);
+        }
+        (!all.is_empty()).then_some(all)
+    }
+
     fn branch(rest: &mut &str, depth: usize) -> Option<Self> {
         let open = rest.find(['[', '('])?;
         let keyword = rest[..open].trim().to_uppercase();
@@ -55,6 +65,11 @@ impl Node {
 
     pub fn children(&self) -> &[Self] {
         &self.children
+    }
+
+    /// The last word that is a number, as an authority's code is.
+    pub fn code(&self) -> Option<u16> {
+        self.words.iter().rev().find_map(|w| w.parse().ok())
     }
 
     /// The first child of one of these keywords.

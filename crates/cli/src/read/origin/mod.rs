@@ -45,8 +45,8 @@ const MOST_COMPARED: usize = 10_000;
 
 /// The scan as it may be believed: without origin where no scanner can have stood there.
 pub fn judged(scan: RawScan, options: &ReadOptions) -> RawScan {
-    let scan = without_far(scan, options);
-    let Some(rotation) = scan.world_from_scan else { return scan };
+    let scan = without_far(scan);
+    let Some(rotation) = scan.world_from_scan else { return without_strays(scan) };
     let is_identity = options.origin.is_none() && scan.anchor == Vec3::zeros() && is_none(rotation);
     if is_identity && scan.order == Order::List && options.identity_pose == IdentityPose::Auto {
         return points(scan, "a list without rows and columns, as merged clouds are written".into());
@@ -93,17 +93,41 @@ fn is_none(rotation: [f64; 4]) -> bool {
 }
 
 /// Without the points that lie impossibly far; where most do, they have no origin.
-fn without_far(mut scan: RawScan, options: &ReadOptions) -> RawScan {
+fn without_far(mut scan: RawScan) -> RawScan {
     let is_far = |b: &Beam| b.returned && b.offset.norm() > MAX_RANGE_M;
     let far = scan.content.beams.iter().filter(|b| is_far(b)).count();
     if far == 0 || scan.world_from_scan.is_none() {
         return scan;
     }
-    if options.origin.is_none() && 2 * far > scan.content.len() {
-        return points(scan, "its points lie impossibly far from the position told".into());
+    if 2 * far > scan.content.len() {
+        let why =
+            "its points lie more than 50 km from the position told, which moved them if they are in another frame";
+        return points(scan, why.into());
     }
     scan.retain(|b| !is_far(b));
     scan.unusable += far as u64;
+    scan
+}
+
+/// Points without origin, but for the few that lie impossibly far from all others; they are relative to the middle one.
+fn without_strays(mut scan: RawScan) -> RawScan {
+    let every = scan.content.len().div_ceil(MOST_COMPARED).max(1);
+    let middle = [0, 1, 2].map(|k| {
+        let mut along: Vec<f64> = scan.content.beams.iter().step_by(every).map(|b| b.offset[k]).collect();
+        let half = along.len() / 2;
+        if along.is_empty() { 0.0 } else { *along.select_nth_unstable_by(half, f64::total_cmp).1 }
+    });
+    let middle = Vec3::from(middle).map(f64::round);
+    let is_far = |b: &Beam| (b.offset - middle).norm() > MAX_RANGE_M;
+    let far = scan.content.beams.iter().filter(|b| is_far(b)).count();
+    if far == 0 || 2 * far > scan.content.len() {
+        return scan;
+    }
+    scan.retain(|b| !is_far(b));
+    scan.unusable += far as u64;
+    scan.notes.push(format!("{far} points lie more than 50 km from the others, and were dropped"));
+    scan.content.beams.iter_mut().for_each(|b| b.offset -= middle);
+    scan.anchor += middle;
     scan
 }
 
@@ -115,7 +139,7 @@ fn points(mut scan: RawScan, why: String) -> RawScan {
     scan.content.beams.iter_mut().for_each(|b| b.offset -= shift);
     scan.world_from_scan = None;
     scan.notes.push(format!("{why}; loaded as points without origin (--identity-pose scanner believes the position)"));
-    scan
+    without_strays(scan)
 }
 
 /// Whether nearly all returns lie in a narrow direction, far away: no scanner is set up like that.

@@ -29,7 +29,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
         Storage::Binary => binary(behind_header(path)?, &header, places, bar)?,
         Storage::Compressed => compressed(behind_header(path)?, &header, places)?,
     };
-    let has_pose = header.viewpoint != [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let has_pose = !is_default(&header.viewpoint);
     let here = ReadOptions { origin: if has_pose { Some(Vec3::zeros()) } else { options.origin }, ..options.clone() };
     let mut scan = scan_of_points(path, points, &here)?;
     let names: Vec<&str> = header.fields.iter().map(|f| f.name.as_str()).collect();
@@ -43,6 +43,11 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
         pose(&mut scan, &header.viewpoint, options);
     }
     sink(scan)
+}
+
+/// At zero and without a turn, however the quaternion is written.
+fn is_default([x, y, z, w, i, j, k]: &[f64; 7]) -> bool {
+    [x, y, z].into_iter().all(|c| *c == 0.0) && [i, j, k].into_iter().all(|c| c.abs() <= 1e-9 * w.abs()) && *w != 0.0
 }
 
 /// Turns the scan by VIEWPOINT and sets it there.
@@ -80,10 +85,11 @@ fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBa
     // A field of several values takes as many words.
     let words_before = |place: usize| header.fields[..place].iter().map(|f| f.count).sum::<usize>();
     let places = places.map(words_before);
+    let width: usize = header.fields.iter().map(|f| f.count).sum();
     let mut points = Vec::new();
     while (points.len() as u64) < header.points {
         let number = lines.number() + 1;
-        let Some(point) = lines.chosen("a point", |_| Some(places))? else {
+        let Some(point) = lines.chosen("a point", |words| (words.len() == width).then_some(places))? else {
             bail!(
                 "its header promises {} points, more than the file holds: it ends with line {}",
                 header.points,

@@ -150,7 +150,7 @@ fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBa
     for (name, element) in &header.elements {
         if name != "vertex" {
             for _ in 0..element.count {
-                lines.next()?;
+                lines.next_filled()?;
             }
             continue;
         }
@@ -171,9 +171,8 @@ fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBa
 
 /// Which words of a line the properties at `places` are: a list takes as many as its first word says, and that.
 fn words_of(element: &ElementDef, places: [usize; 3], words: &[&str]) -> Option<[usize; 3]> {
-    let last = *places.iter().max()?;
     let (mut out, mut word) = ([0; 3], 0usize);
-    for (place, property) in element.properties.values().enumerate().take(last + 1) {
+    for (place, property) in element.properties.values().enumerate() {
         for (slot, wanted) in out.iter_mut().zip(places) {
             if wanted == place {
                 *slot = word;
@@ -187,5 +186,6 @@ fn words_of(element: &ElementDef, places: [usize; 3], words: &[&str]) -> Option<
             return None;
         }
     }
-    Some(out)
+    // More words than properties: some of them are not what they are taken for.
+    (word == words.len()).then_some(out)
 }

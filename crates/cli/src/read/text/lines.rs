@@ -84,7 +84,7 @@ impl<'a> Lines<'a> {
 
     /// The three numbers that the next line that is not empty starts with; `None` at the end of the file.
     pub fn point(&mut self, what: &str) -> Result<Option<[f64; 3]>> {
-        if !self.skip_empty()? {
+        if !self.next_filled()? {
             return Ok(None);
         }
         let found = self.learnt().and_then(|d| d.numbers::<3>(&self.text));
@@ -93,7 +93,7 @@ impl<'a> Lines<'a> {
 
     /// The same at the places that the line's words tell.
     pub fn chosen(&mut self, what: &str, places: impl Fn(&[&str]) -> Option<[usize; 3]>) -> Result<Option<[f64; 3]>> {
-        if !self.skip_empty()? {
+        if !self.next_filled()? {
             return Ok(None);
         }
         let found = self.learnt().and_then(|d| {
@@ -105,7 +105,7 @@ impl<'a> Lines<'a> {
     }
 
     /// Goes to the next line that is not empty; whether there is one.
-    fn skip_empty(&mut self) -> Result<bool> {
+    pub fn next_filled(&mut self) -> Result<bool> {
         loop {
             match self.next()? {
                 None => return Ok(false),
