@@ -121,6 +121,9 @@ fn in_words(error: anyhow::Error) -> anyhow::Error {
         cause.downcast_ref::<std::io::Error>().is_some_and(|e| e.kind() == std::io::ErrorKind::UnexpectedEof)
             || cause.to_string() == "failed to fill whole buffer"
     });
+    if error.chain().any(|cause| cause.to_string().contains("invalid checksum")) {
+        return anyhow!("its bytes do not fit their checksums: it was damaged; copy or export it again");
+    }
     if !is_short {
         return error;
     }

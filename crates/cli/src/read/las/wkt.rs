@@ -12,13 +12,7 @@ pub struct Node {
 const DEEPEST: usize = 64;
 
 impl Node {
-    /// The tree of a text; `None` where it is none.
-    pub fn parse(text: &str) -> Option<Self> {
-        let mut rest = text.trim_start();
-        Self::branch(&mut rest, 0)
-    }
-
-    /// All trees that stand side by side, as in ESRI's pairs of a horizontal and a vertical system.
+    /// The trees of a text, side by side as in ESRI's pairs of a horizontal and a vertical system; `None` where it is none.
     pub fn parse_all(text: &str) -> Option<Vec<Self>> {
         let (mut rest, mut all) = (text.trim(), Vec::new());
         while !rest.is_empty() {
@@ -93,11 +87,11 @@ mod tests {
 
     #[test]
     fn trees_are_read_and_nonsense_is_not() {
-        let tree = Node::parse(r#"A["x [y]", 1.5 , B(2), c["z"]]"#).unwrap();
+        let tree = &Node::parse_all(r#"A["x [y]", 1.5 , B(2), c["z"]]"#).unwrap()[0];
         assert!(tree.is(&["A"]) && tree.number() == Some(1.5) && tree.child(&["C"]).is_some());
         for wrong in ["", "A", "A[", "A[\"", "[1]", "A[B[1]"] {
-            assert!(Node::parse(wrong).is_none(), "{wrong}");
+            assert!(Node::parse_all(wrong).is_none(), "{wrong}");
         }
-        assert!(Node::parse(&"A[".repeat(100_000)).is_none());
+        assert!(Node::parse_all(&"A[".repeat(100_000)).is_none());
     }
 }

@@ -24,14 +24,17 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     let header = Header::read(&mut lines)?;
     let places = [header.place("x")?, header.place("y")?, header.place("z")?];
     bar.set_length(header.points);
-    let points = match header.storage {
+    let (points, has_more) = match header.storage {
         Storage::Ascii => ascii(lines, &header, places, bar)?,
         Storage::Binary => binary(behind_header(path)?, &header, places, bar)?,
-        Storage::Compressed => compressed(behind_header(path)?, &header, places)?,
+        Storage::Compressed => (compressed(behind_header(path)?, &header, places)?, false),
     };
     let has_pose = !is_default(&header.viewpoint);
     let here = ReadOptions { origin: if has_pose { Some(Vec3::zeros()) } else { options.origin }, ..options.clone() };
     let mut scan = scan_of_points(path, points, &here)?;
+    if has_more {
+        scan.notes.push(format!("its header counts {} points; more follow, which were not read", header.points));
+    }
     let names: Vec<&str> = header.fields.iter().map(|f| f.name.as_str()).collect();
     scan.facts = Facts::from([
         ("data".into(), format!("{:?}", header.storage)),
@@ -81,7 +84,8 @@ fn behind_header(path: &Path) -> Result<BufReader<File>> {
     }
 }
 
-fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBar) -> Result<Vec<Vec3>> {
+/// The points, and whether anything follows them.
+fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBar) -> Result<(Vec<Vec3>, bool)> {
     // A field of several values takes as many words.
     let words_before = |place: usize| header.fields[..place].iter().map(|f| f.count).sum::<usize>();
     let places = places.map(words_before);
@@ -101,10 +105,16 @@ fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBa
             bar.set_position(points.len() as u64);
         }
     }
-    Ok(points)
+    let has_more = lines.next_filled()?;
+    Ok((points, has_more))
 }
 
-fn binary(mut file: BufReader<File>, header: &Header, places: [usize; 3], bar: &ProgressBar) -> Result<Vec<Vec3>> {
+fn binary(
+    mut file: BufReader<File>,
+    header: &Header,
+    places: [usize; 3],
+    bar: &ProgressBar,
+) -> Result<(Vec<Vec3>, bool)> {
     let room = room(&mut file)?;
     if u128::from(header.points) * header.record() as u128 > u128::from(room) {
         bail!("its header promises {} points, more than the file holds", header.points);
@@ -121,7 +131,9 @@ fn binary(mut file: BufReader<File>, header: &Header, places: [usize; 3], bar: &
             bar.set_position(i);
         }
     }
-    Ok(points)
+    // Some fill up the last record.
+    let more = u128::from(room) - u128::from(header.points) * header.record() as u128;
+    Ok((points, more >= header.record() as u128))
 }
 
 /// All values of a field lie together.

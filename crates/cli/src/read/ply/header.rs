@@ -23,14 +23,22 @@ pub fn read(file: &mut impl BufRead) -> Result<(Header, u64)> {
         };
         lines += 1;
         let words: Vec<&str> = line.split_whitespace().collect();
+        if !is_known(&words) {
+            bail!("line {lines}: \"{}\" is no line of a PLY header", line.chars().take(60).collect::<String>());
+        }
         match words.first().map(|w| w.to_lowercase()).as_deref() {
             None | Some("comment" | "obj_info") => continue,
-            Some("property") => text.push_str(&property(&words, &mut seen)),
+            Some("property") => {
+                if let ([_, kind, name], true) = (&words[..], text.contains("format binary")) {
+                    refuse_whole(kind, name)?;
+                }
+                text.push_str(&property(&words, &mut seen));
+            }
             Some(keyword) => {
                 if keyword == "element" {
                     seen.clear();
                 }
-                text.push_str(&line.to_lowercase());
+                text.push_str(&words.join(" ").to_lowercase());
             }
         }
         text.push('\n');
@@ -44,6 +52,34 @@ pub fn read(file: &mut impl BufRead) -> Result<(Header, u64)> {
     let mut reader = Reader::new(Cursor::new(text));
     let header = Parser::<Vertex>::new().read_header(&mut reader).context("not a readable PLY file")?;
     Ok((header, lines))
+}
+
+/// The library knows no integers of 64 bits; read as doubles they would be nonsense.
+fn refuse_whole(kind: &str, name: &str) -> Result<()> {
+    let is_whole = kind.to_lowercase().contains("int64") || kind.to_lowercase().contains("long");
+    if is_whole && ["x", "y", "z"].contains(&name.to_lowercase().as_str()) {
+        bail!("its {name} is of type {kind}: write it as double");
+    }
+    Ok(())
+}
+
+/// Whether a line is one that a header can have.
+fn is_known(words: &[&str]) -> bool {
+    const TYPES: [&str; 20] = [
+        "char", "uchar", "short", "ushort", "int", "uint", "float", "double", "int8", "uint8", "int16", "uint16",
+        "int32", "uint32", "float32", "float64", "int64", "uint64", "long", "ulong",
+    ];
+    let small: Vec<String> = words.iter().map(|w| w.to_lowercase()).collect();
+    let small: Vec<&str> = small.iter().map(String::as_str).collect();
+    let is_type = |word: &str| TYPES.contains(&word) || ["longlong", "ulonglong"].contains(&word);
+    match small[..] {
+        [] | ["comment" | "obj_info", ..] | ["ply"] | ["end_header"] => true,
+        ["format", "ascii" | "binary_little_endian" | "binary_big_endian", version] => version.starts_with('1'),
+        ["element", _, count] => count.parse::<u64>().is_ok(),
+        ["property", "list", count, item, _] => is_type(count) && is_type(item),
+        ["property", one, _] => is_type(one),
+        _ => false,
+    }
 }
 
 /// A line of a property: types as the library knows them, a name that stands once.
@@ -106,5 +142,10 @@ mod tests {
         let latin = b"ply\nformat ascii 1.0\ncomment cr\xe9\xe9\nelement vertex 1\nproperty float x\nend_header\n";
         assert!(read(&mut Cursor::new(latin.to_vec())).is_ok());
         assert!(read(&mut Cursor::new(b"ply\nformat ascii 1.0\n".to_vec())).is_err());
+        for wrong in ["format asci 1.0", "property half x", "element vertex many", "vertex 3"] {
+            let text = format!("ply\n{wrong}\nend_header\n");
+            let said = read(&mut Cursor::new(text.into_bytes())).unwrap_err().to_string();
+            assert!(said.contains(&format!("line 2: \"{wrong}\"")), "{said}");
+        }
     }
 }

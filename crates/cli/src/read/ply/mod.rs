@@ -4,7 +4,7 @@
 mod header;
 
 use std::fs::File;
-use std::io::{BufReader, Seek};
+use std::io::{BufRead, BufReader, Seek};
 use std::path::Path;
 
 use anyhow::{Context, Result, anyhow, bail};
@@ -59,7 +59,8 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     let Some(element) = header.elements.get("vertex") else { bail!("it has no vertices") };
     let places = places(element)?;
     bar.set_length(element.count as u64);
-    let points = match header.encoding {
+    let is_last = header.elements.keys().last().is_some_and(|name| name == "vertex");
+    let (points, has_more) = match header.encoding {
         Encoding::Ascii => {
             let lines = Lines::of(Box::new(file), lines, bar).with_decimal_commas(options.decimal_comma);
             ascii(lines, &header, places, bar)?
@@ -67,6 +68,9 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
         _ => binary(Reader::new(file), &header, bar)?,
     };
     let mut scan = scan_of_points(path, points, options)?;
+    if has_more && is_last {
+        scan.notes.push(format!("its header counts {} vertices; more follow, which were not read", element.count));
+    }
     let names: Vec<&str> = element.properties.keys().map(String::as_str).collect();
     scan.facts = Facts::from([
         ("encoding".into(), format!("{:?}", header.encoding)),
@@ -120,7 +124,8 @@ fn least_size(data_type: &PropertyType, encoding: Encoding) -> u128 {
     }
 }
 
-fn binary(mut reader: Reader<BufReader<File>>, header: &Header, bar: &ProgressBar) -> Result<Vec<Vec3>> {
+/// The points, and whether anything follows them.
+fn binary(mut reader: Reader<BufReader<File>>, header: &Header, bar: &ProgressBar) -> Result<(Vec<Vec3>, bool)> {
     let parser = Parser::<Vertex>::new();
     for (name, element) in &header.elements {
         if name != "vertex" {
@@ -140,13 +145,14 @@ fn binary(mut reader: Reader<BufReader<File>>, header: &Header, bar: &ProgressBa
                 bar.set_position(i as u64);
             }
         }
-        return Ok(points);
+        let has_more = !reader.get_mut().fill_buf()?.is_empty();
+        return Ok((points, has_more));
     }
     bail!("it has no vertices")
 }
 
 /// Lines of words. The library's grammar refuses `nan`, `.5`, `1.` and decimal commas, which real files hold.
-fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBar) -> Result<Vec<Vec3>> {
+fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBar) -> Result<(Vec<Vec3>, bool)> {
     for (name, element) in &header.elements {
         if name != "vertex" {
             for _ in 0..element.count {
@@ -164,7 +170,8 @@ fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBa
                 bar.set_position(points.len() as u64);
             }
         }
-        return Ok(points);
+        let has_more = lines.next_filled()?;
+        return Ok((points, has_more));
     }
     bail!("it has no vertices")
 }
