@@ -1,7 +1,7 @@
 //! Profiles that the geometry library does not know, or draws otherwise than the standard: written out as polygons.
 
-use super::curves::points_of;
 use super::document::{Document, Edits};
+use super::line::points_of;
 use super::record::Record;
 use super::value::Value;
 
