@@ -49,6 +49,7 @@ struct HalfSpace {
     /// The plane's normal points away from it.
     agrees: bool,
     boundary: u64,
+    place: u64,
     /// Of the plane and of the boundary.
     frames: [Frame; 2],
     /// The boundary's axes as written.
@@ -65,6 +66,7 @@ impl HalfSpace {
             plane: plane?,
             agrees: values.get(1)?.is("T"),
             boundary: boundary?,
+            place: place?,
             frames: [Frame::read(document, on)?, Frame::read(document, place?)?],
             axes: [1, 2].map(|i| axes.get(i).and_then(Value::reference)),
         })
@@ -78,25 +80,27 @@ impl HalfSpace {
     fn text(&self, id: u64, corners: &[[f64; 2]], reach: f64, free: &mut dyn Iterator<Item = u64>) -> Option<String> {
         let frame = &self.frames[1];
         let middle = -dot(frame.origin, frame.z);
-        let is_empty = !self.takes_any(corners, [middle - reach, middle + reach]);
-        // What takes nothing away is put where nothing is.
-        let start = if is_empty { middle + 4.0 * reach } else { middle - reach };
-        let at = along(frame.origin, frame.z, start).map(|c| format!("{c:?}").replace('e', "E")).join(",");
-        let depth = format!("{:?}", 2.0 * reach).replace('e', "E");
-        let axes = self.axes.map(|a| a.map_or("$".to_owned(), |id| format!("#{id}"))).join(",");
-        let mut next = || free.next();
-        let (profile, place, point, up) = (next()?, next()?, next()?, next()?);
-        let prism = if is_empty { id } else { next()? };
-        let mut out = String::new();
-        if !is_empty {
-            let (other, sense) = (next()?, if self.agrees { "F" } else { "T" });
-            out += &format!("#{id}=IFCBOOLEANRESULT(.DIFFERENCE.,#{prism},#{other});\n");
-            out += &format!("#{other}=IFCHALFSPACESOLID(#{},.{sense}.);\n", self.plane);
+        let (place, point) = (free.next()?, free.next()?);
+        let at = |start: f64| {
+            let axes = self.axes.map(|a| a.map_or("$".to_owned(), |id| format!("#{id}"))).join(",");
+            let at = along(frame.origin, frame.z, start).map(real).join(",");
+            format!("#{place}=IFCAXIS2PLACEMENT3D(#{point},{axes});\n#{point}=IFCCARTESIANPOINT(({at}));")
+        };
+        if !self.takes_any(corners, [middle - reach, middle + reach]) {
+            // A level plane where nothing is: the library sees that it takes nothing away.
+            let (level, rest) = (free.next()?, format!("#{},#{}", self.place, self.boundary));
+            let out =
+                format!("#{id}=IFCPOLYGONALBOUNDEDHALFSPACE(#{level},.F.,{rest});\n#{level}=IFCPLANE(#{place});\n");
+            return Some(out + &at(middle + 4.0 * reach));
         }
-        out += &format!("#{prism}=IFCEXTRUDEDAREASOLID(#{profile},#{place},#{up},{depth});\n");
-        out += &format!("#{profile}=IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#{});\n", self.boundary);
-        out += &format!("#{place}=IFCAXIS2PLACEMENT3D(#{point},{axes});\n");
-        Some(out + &format!("#{point}=IFCCARTESIANPOINT(({at}));\n#{up}=IFCDIRECTION((0.,0.,1.));"))
+        let [prism, other, profile, up] = [free.next()?, free.next()?, free.next()?, free.next()?];
+        let (sense, depth) = (if self.agrees { "F" } else { "T" }, real(2.0 * reach));
+        let (plane, boundary, at) = (self.plane, self.boundary, at(middle - reach));
+        Some(format!(
+            "#{id}=IFCBOOLEANRESULT(.DIFFERENCE.,#{prism},#{other});\n#{other}=IFCHALFSPACESOLID(#{plane},.{sense}.);\n\
+             #{prism}=IFCEXTRUDEDAREASOLID(#{profile},#{place},#{up},{depth});\n\
+             #{profile}=IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#{boundary});\n#{up}=IFCDIRECTION((0.,0.,1.));\n{at}"
+        ))
     }
 
     /// Whether any corner of the prism lies on the half space's side.
@@ -133,6 +137,10 @@ impl Frame {
         let ([a, b, c], [x, y, z]) = (self.z, self.x);
         [b * z - c * y, c * x - a * z, a * y - b * x]
     }
+}
+
+fn real(x: f64) -> String {
+    format!("{x:?}").replace('e', "E")
 }
 
 fn dot(a: Vector, b: Vector) -> f64 {

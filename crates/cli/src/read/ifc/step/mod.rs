@@ -3,7 +3,7 @@
 //! * [`envelope`]: what stands around it; UTF-16;
 //! * [`encoding`]: names that are no UTF-8;
 //! * [`numbers`]: numbers of records beyond 32 bits;
-//! * [`profiles`], [`curves`], [`line`], [`parameters`]: shapes that the library lacks or reads otherwise than meant;
+//! * [`profiles`], [`steel`], [`centre_line`], [`curves`], [`line`], [`parameters`]: shapes that the library lacks or reads otherwise than meant;
 //! * [`dense`]: profiles that it would thin out; [`library`]: what is asked of it;
 //! * [`half_space`], [`voids`]: cuts that it makes too small, or not;
 //! * [`sweep`]: solids that it narrows at corners, or lacks;
@@ -11,6 +11,7 @@
 //! * [`units`], [`map_conversion`]: what is read of it beside the geometry;
 //! * [`record`], [`value`], [`document`]: the text, record by record.
 
+mod centre_line;
 mod curves;
 mod dense;
 mod document;
@@ -24,6 +25,7 @@ mod numbers;
 mod parameters;
 mod profiles;
 mod record;
+mod steel;
 mod sweep;
 mod turn;
 mod units;
@@ -85,6 +87,8 @@ fn edits(document: &Document, text: &[u8], angle: Option<f64>, notes: &mut Vec<(
     let mut edits = Edits::default();
     let mut free = document.free_numbers();
     profiles::write_out(document, &mut free, &mut edits);
+    centre_line::write_out(document, &mut free, &mut edits);
+    steel::write_out(document, &mut free, &mut edits, notes);
     curves::write_out_trimmed(document, &mut free, &mut edits, notes);
     parameters::take(document, &mut free, &mut edits, notes);
     half_space::write_out(document, (text, angle), &mut free, &mut edits, notes);

@@ -107,7 +107,7 @@ pub fn mended_angle(document: &Document) -> Option<(f64, String)> {
         None | Some(1.0) if votes.beyond.is_some_and(|b| b > 2.0 * TAU + 0.01) => Some((
             1.0,
             format!(
-                "the file has angles{largest}, more than two turns, but others in radians: read so, arcs may be wrong"
+                "the file has angles{largest}: no radians, nor clearly degrees; read in radians, arcs may be wrong"
             ),
         )),
         Some(unit) if is_degree(unit) && votes.beyond.is_none() && proven(votes.radians, votes.degrees) => {
