@@ -47,6 +47,137 @@ fn dense(radius: f64, corners: u32) -> Shape {
     Shape { records, volume: n / 2.0 * (TAU / n).sin() * radius * radius, tolerance: 2e-3, word: "" }
 }
 
+/// A wall of 8 × 0.3 × 3 m, cut between 0 and 3 m by a plane with this normal at so many metres.
+fn steep(normal: &str, at: f64, volume: f64) -> Shape {
+    let records = [
+        "IFCRECTANGLEPROFILEDEF(.AREA.,$,$,8.,0.3)",
+        "IFCEXTRUDEDAREASOLID(@1,#5,#9,3.)",
+        &format!("IFCCARTESIANPOINT(({at:?},0.,0.))"),
+        &format!("IFCDIRECTION({normal})"),
+        "IFCDIRECTION((0.,1.,0.))",
+        "IFCAXIS2PLACEMENT3D(@3,@4,@5)",
+        "IFCPLANE(@6)",
+        "IFCCARTESIANPOINTLIST2D(((0.,-1.),(3.,-1.),(3.,1.),(0.,1.),(0.,-1.)))",
+        "IFCINDEXEDPOLYCURVE(@8,$,.F.)",
+        "IFCPOLYGONALBOUNDEDHALFSPACE(@7,.F.,#5,@9)",
+        "IFCBOOLEANCLIPPINGRESULT(.DIFFERENCE.,@2,@10)",
+    ];
+    shape(&records, volume, 1e-4, "")
+}
+
+/// A box as a closed shell, which is the last of the records.
+fn shell(records: &mut Vec<String>, low: [f64; 3], high: [f64; 3]) {
+    const FACES: [[usize; 4]; 6] = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let first = records.len() + 1;
+    for i in 0..8 {
+        let [x, y, z] = [0, 1, 2].map(|k| if i >> k & 1 == 0 { low[k] } else { high[k] });
+        records.push(format!("IFCCARTESIANPOINT(({x:?},{y:?},{z:?}))"));
+    }
+    for face in FACES {
+        let [a, b, c, d] = face.map(|i| i + first);
+        records.push(format!("IFCPOLYLOOP((@{a},@{b},@{c},@{d}))"));
+        records.push(format!("IFCFACEOUTERBOUND(@{},.T.)", records.len()));
+        records.push(format!("IFCFACE((@{}))", records.len()));
+    }
+    let faces: Vec<String> = (0..6).map(|i| format!("@{}", first + 10 + 3 * i)).collect();
+    records.push(format!("IFCCLOSEDSHELL(({}))", faces.join(",")));
+}
+
+fn cuts() -> Vec<Shape> {
+    let mut hollow = Vec::new();
+    shell(&mut hollow, [0.0; 3], [4.0, 1.0, 3.0]);
+    shell(&mut hollow, [0.25; 3], [3.75, 0.75, 2.75]);
+    hollow.push("IFCFACETEDBREPWITHVOIDS(@27,(@54))".into());
+    vec![
+        steep("(1.,0.,0.)", 1.0, 5.4),
+        steep("(1.,0.,0.05)", 1.0, 7.2 - 0.9 * 2.075),
+        steep("(1.,0.,0.)", 9.0, 7.2),
+        Shape { records: hollow, volume: 12.0 - 3.5 * 0.5 * 2.5, tolerance: 1e-4, word: "" },
+    ]
+}
+
+/// Lines that are trimmed, or followed in part.
+fn lines() -> Vec<Shape> {
+    let slab = |line: &[&str; 4], trimmed: &str| {
+        let rest = [
+            "IFCCARTESIANPOINT((0.,0.))",
+            "IFCCARTESIANPOINT((5.,2.5))",
+            trimmed,
+            "IFCCARTESIANPOINT((0.,2.5))",
+            "IFCPOLYLINE((@6,@8,@5))",
+            "IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,.T.,@7)",
+            "IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,.T.,@9)",
+            "IFCCOMPOSITECURVE((@10,@11),.F.)",
+            "IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,@12)",
+            "IFCEXTRUDEDAREASOLID(@13,#5,#9,3.)",
+        ];
+        shape(&[&line[..], &rest].concat(), 37.5, 1e-6, "")
+    };
+    let points = "IFCCARTESIANPOINTLIST2D(((0.,0.),(5.,0.),(5.,5.),(0.,5.)))";
+    let indexed = "IFCINDEXEDPOLYCURVE(@1,$,.F.)";
+    let segment = "IFCCOMPOSITECURVESEGMENT(.CONTINUOUS.,.T.,@2)";
+    let composite = "IFCCOMPOSITECURVE((@3),.F.)";
+    let u = ["IFCCARTESIANPOINTLIST3D(((0.,0.,0.),(4.,0.,0.),(4.,3.,0.),(0.,3.,0.)))", indexed];
+    let along = |line: [&str; 2], ends: &str, volume, tolerance| {
+        let sweep = format!("IFCSURFACECURVESWEPTAREASOLID(@3,#5,@2,{ends},@4)");
+        shape(&[&line[..], &[RECTANGLE, "IFCPLANE(#5)", &sweep]].concat(), volume, tolerance, "keep a part")
+    };
+    let arc = [
+        "IFCCIRCLE(#5,5.)",
+        "IFCTRIMMEDCURVE(@1,(IFCPARAMETERVALUE(0.)),(IFCPARAMETERVALUE(3.141592653589793)),.T.,.PARAMETER.)",
+    ];
+    vec![
+        slab(&[points, indexed, segment, composite], "IFCTRIMMEDCURVE(@2,(@5),(@6),.T.,.CARTESIAN.)"),
+        slab(&[points, indexed, segment, composite], "IFCTRIMMEDCURVE(@4,(@5),(@6),.T.,.CARTESIAN.)"),
+        along(u, "1.,2.", 0.45, 1e-6),
+        along(arc, "0.,1.5707963267948966", 0.15 * 2.5 * PI, 1e-3),
+    ]
+}
+
+/// Chords of 7.5 degrees are 0.3 % short; a profile that touches its axis as well.
+fn turned() -> Vec<Shape> {
+    let about = |x: &str, angle: f64, volume: f64| {
+        let records = [
+            RECTANGLE,
+            &format!("IFCCARTESIANPOINT(({x},0.,0.))"),
+            "IFCDIRECTION((0.,1.,0.))",
+            "IFCAXIS1PLACEMENT(@2,@3)",
+            &format!("IFCREVOLVEDAREASOLID(@1,#5,@4,{angle:?})"),
+        ];
+        shape(&records, volume, 3e-3, "")
+    };
+    vec![
+        about("-2.", TAU, 0.15 * 2.0 * TAU),
+        about("-2.", PI / 2.0, 0.15 * PI),
+        about("0.15", TAU, PI * 0.09 * 0.5),
+        about("-0.15", PI, PI * 0.09 * 0.25),
+    ]
+}
+
+/// Two metres of sections with radii, and a ring of a thick line.
+fn steel() -> Vec<Shape> {
+    let beam = |profile: &str, area: f64| shape(&[profile, "IFCEXTRUDEDAREASOLID(@1,#5,#9,2.)"], 2.0 * area, 3e-3, "");
+    // A fillet of radius one, and what an edge takes away.
+    let corner = 1.0 - PI / 4.0;
+    let i = 2.0 * 0.1 * 0.01 + 0.18 * 0.006;
+    let asymmetric = "IFCASYMMETRICISHAPEPROFILEDEF(.AREA.,$,$,0.1,0.2,0.006,0.01,0.012,0.06,0.008,0.01,$,$,$,$)";
+    let ring = [
+        "IFCCARTESIANPOINTLIST2D(((0.,0.),(4.,0.),(4.,4.),(0.,4.),(0.,0.)))",
+        "IFCINDEXEDPOLYCURVE(@1,$,.F.)",
+        "IFCCENTERLINEPROFILEDEF(.AREA.,$,@2,0.2)",
+        "IFCEXTRUDEDAREASOLID(@3,#5,#9,1.)",
+    ];
+    let sloped = ["IFCUSHAPEPROFILEDEF(.AREA.,$,$,0.2,0.1,0.01,0.01,$,$,0.1)", "IFCEXTRUDEDAREASOLID(@1,#5,#9,2.)"];
+    vec![
+        beam("IFCCSHAPEPROFILEDEF(.AREA.,$,$,0.2,0.1,0.005,0.03,0.01)", 0.0022 - 4.0 * corner * 1.25e-4),
+        beam("IFCISHAPEPROFILEDEF(.AREA.,$,$,0.1,0.2,0.006,0.01,$,0.008,$)", i - 4.0 * corner * 6.4e-5),
+        beam(asymmetric, 0.1 * 0.01 + 0.06 * 0.008 + 0.182 * 0.006 + 2.0 * corner * 2.44e-4),
+        beam("IFCLSHAPEPROFILEDEF(.AREA.,$,$,0.1,$,0.01,$,$,$)", 0.0019),
+        shape(&sloped, f64::NAN, 0.0, "slope"),
+        shape(&ring, 3.2, 1e-6, ""),
+    ]
+}
+
 fn shapes() -> Vec<Shape> {
     // A circle is drawn with 36 corners.
     let disk = 18.0 * (TAU / 36.0).sin();
@@ -116,6 +247,7 @@ fn shapes() -> Vec<Shape> {
             "",
         ),
     ];
+    all.extend([cuts(), lines(), turned(), steel()].into_iter().flatten());
     all.extend([(0.1, 30), (0.1, 127), (0.25, 64), (2.0, 360)].map(|(radius, corners)| dense(radius, corners)));
     all
 }

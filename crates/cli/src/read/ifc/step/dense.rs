@@ -6,9 +6,9 @@ use std::borrow::Cow;
 use std::collections::HashSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::curves::points_of;
 use super::document::{Document, Edits};
 use super::library::Library;
+use super::line::points_of;
 use super::profiles::{CIRCLE_CORNERS, ELLIPSE_CORNERS, ellipse, placed, polyline};
 use super::record::Record;
 use super::units::project_metres;
@@ -82,8 +82,8 @@ fn may_be_dense(document: &Document, curve: u64) -> bool {
 
 type Boundary = Vec<[f64; 2]>;
 
-/// Its points, the first not repeated.
-fn boundary(document: &Document, library: &mut Library, id: u64) -> Option<Boundary> {
+/// The points of a closed curve, the first not repeated.
+pub fn boundary(document: &Document, library: &mut Library, id: u64) -> Option<Boundary> {
     let mut points: Boundary = if let Some(points) = points_of(document, id) {
         points.iter().map(|p| p.first_chunk().copied()).collect::<Option<_>>()?
     } else if let Some(round) = round(document, id) {

@@ -3,27 +3,34 @@
 //! * [`envelope`]: what stands around it; UTF-16;
 //! * [`encoding`]: names that are no UTF-8;
 //! * [`numbers`]: numbers of records beyond 32 bits;
-//! * [`profiles`], [`curves`]: shapes that the library lacks or reads otherwise than meant;
+//! * [`profiles`], [`steel`], [`centre_line`], [`curves`], [`line`], [`parameters`]: shapes that the library lacks or reads otherwise than meant;
 //! * [`dense`]: profiles that it would thin out; [`library`]: what is asked of it;
+//! * [`half_space`], [`voids`]: cuts that it makes too small, or not;
 //! * [`sweep`]: solids that it narrows at corners, or lacks;
 //! * [`turn`]: a model turned as a whole;
 //! * [`units`], [`map_conversion`]: what is read of it beside the geometry;
 //! * [`record`], [`value`], [`document`]: the text, record by record.
 
+mod centre_line;
 mod curves;
 mod dense;
 mod document;
 mod encoding;
 mod envelope;
+mod half_space;
 mod library;
+mod line;
 mod map_conversion;
 mod numbers;
+mod parameters;
 mod profiles;
 mod record;
+mod steel;
 mod sweep;
 mod turn;
 mod units;
 mod value;
+mod voids;
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -60,7 +67,7 @@ impl<'a> Step<'a> {
         words.extend(mended.map(|m| m.1));
         let map_conversion = MapConversion::read(&document);
         let length_unit = units::project_metres(&document);
-        let edits = edits(&document, &mut notes);
+        let edits = edits(&document, &text, angle, &mut notes);
         // What was written out may be dense.
         let (may_be_dense, has_sweeps) =
             (!edits.is_empty() || dense::is_needed(&document), sweep::is_needed(&document));
@@ -76,12 +83,16 @@ impl<'a> Step<'a> {
     }
 }
 
-fn edits(document: &Document, notes: &mut Vec<(u64, String)>) -> Edits {
+fn edits(document: &Document, text: &[u8], angle: Option<f64>, notes: &mut Vec<(u64, String)>) -> Edits {
     let mut edits = Edits::default();
     let mut free = document.free_numbers();
     profiles::write_out(document, &mut free, &mut edits);
-    curves::write_out_trimmed(document, &mut free, &mut edits);
-    curves::take_whole(document, &mut edits, notes);
+    centre_line::write_out(document, &mut free, &mut edits);
+    steel::write_out(document, &mut free, &mut edits, notes);
+    curves::write_out_trimmed(document, &mut free, &mut edits, notes);
+    parameters::take(document, &mut free, &mut edits, notes);
+    half_space::write_out(document, (text, angle), &mut free, &mut edits, notes);
+    voids::write_out(document, &mut free, &mut edits);
     // Legal in IFC2x3, where it is no abstract type yet; of the same three attributes.
     for record in document.all("IFCPRODUCTREPRESENTATION") {
         edits.replace(record.keyword.clone(), "IFCPRODUCTDEFINITIONSHAPE");

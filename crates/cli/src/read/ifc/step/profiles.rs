@@ -1,15 +1,14 @@
 //! Profiles that the geometry library does not know, or draws otherwise than the standard: written out as polygons.
 
-use super::curves::points_of;
 use super::document::{Document, Edits};
 use super::record::Record;
 use super::value::Value;
 
 /// A point of a profile, in the file's unit.
-type Point = [f64; 2];
+pub type Point = [f64; 2];
 
 /// Draws a profile by its numbers.
-type Outline = fn(&[f64]) -> Option<Vec<Point>>;
+pub type Outline = fn(&[f64]) -> Option<Vec<Point>>;
 
 /// Corners of an ellipse: its area comes out 0.04 % short.
 pub const ELLIPSE_CORNERS: usize = 128;
@@ -18,20 +17,13 @@ pub const CIRCLE_CORNERS: usize = 36;
 /// Steps of a rounded corner.
 const FILLET_STEPS: usize = 6;
 
-/// Writes out the ellipses, trapezia, Z shapes, and lines with a thickness.
+/// Writes out the ellipses, trapezia and Z shapes.
 pub fn write_out(document: &Document, free: &mut dyn Iterator<Item = u64>, edits: &mut Edits) {
     let kinds: [(&str, Outline); 3] = [
         ("IFCELLIPSEPROFILEDEF", |n| ellipse(n.first_chunk()?, ELLIPSE_CORNERS)),
         ("IFCTRAPEZIUMPROFILEDEF", |n| trapezium(n.first_chunk()?)),
         ("IFCZSHAPEPROFILEDEF", |n| z_shape(n)),
     ];
-    for record in document.all("IFCCENTERLINEPROFILEDEF") {
-        let values = document.values(record);
-        let line = values.get(2).and_then(|v| points_of(document, v.reference()?));
-        if let Some(outline) = line.and_then(|line| widened(&line, values.get(3)?.number()?)) {
-            write(document, record, &values, &outline, free, edits);
-        }
-    }
     for (keyword, outline) in kinds {
         for record in document.all(keyword) {
             let values = document.values(record);
@@ -68,29 +60,8 @@ fn z_shape(numbers: &[f64]) -> Option<Vec<Point>> {
     is_sound.then(|| rounded(&all))
 }
 
-/// Half the thickness to each side of an open line, mitred at its corners; none where it turns back.
-fn widened(line: &[Vec<f64>], thickness: f64) -> Option<Vec<Point>> {
-    const BACK_COS: f64 = -0.98;
-    let line: Vec<Point> = line.iter().map(|p| p.first_chunk().copied()).collect::<Option<_>>()?;
-    let normal = |s: &[Point]| {
-        let [x, y] = [s[1][0] - s[0][0], s[1][1] - s[0][1]];
-        let length = x.hypot(y);
-        (length > 0.0).then(|| [-y / length, x / length])
-    };
-    let normals: Vec<Point> = line.windows(2).map(normal).collect::<Option<_>>()?;
-    let offset = |i: usize| {
-        let (a, b) = (normals[i.max(1) - 1], normals[i.min(normals.len() - 1)]);
-        let cos = a[0] * b[0] + a[1] * b[1];
-        (cos > BACK_COS).then(|| [0, 1].map(|k| thickness / 2.0 * (a[k] + b[k]) / (1.0 + cos)))
-    };
-    let offsets: Vec<Point> = (0..line.len()).map(offset).collect::<Option<_>>()?;
-    let side = |sign: f64| line.iter().zip(&offsets).map(move |(p, o)| [p[0] + sign * o[0], p[1] + sign * o[1]]);
-    let is_open = line.first() != line.last();
-    (thickness > 0.0 && is_open).then(|| side(-1.0).chain(side(1.0).collect::<Vec<_>>().into_iter().rev()).collect())
-}
-
 /// A polygon whose corners are rounded; a radius that does not fit between its neighbours is left out.
-fn rounded(corners: &[(Point, f64)]) -> Vec<Point> {
+pub fn rounded(corners: &[(Point, f64)]) -> Vec<Point> {
     let n = corners.len();
     let mut out = Vec::new();
     for i in 0..n {
@@ -127,7 +98,7 @@ pub fn placed(document: &Document, position: &Value, outline: Vec<Point>) -> Opt
     Some(outline.into_iter().map(|[u, v]| [x + cos * u - sin * v, y + sin * u + cos * v]).collect())
 }
 
-fn write(
+pub fn write(
     document: &Document,
     record: &Record,
     values: &[Value],
@@ -136,13 +107,16 @@ fn write(
     edits: &mut Edits,
 ) {
     let kind = if values[0].is("CURVE") { "CURVE" } else { "AREA" };
-    let Some((line, points)) = polyline(outline.iter().chain(outline.first()).map(<[f64; 2]>::as_slice), free) else {
-        return;
-    };
+    let Some((line, points)) = closed(outline, free) else { return };
     let id = record.id;
     let text = format!("#{id}=IFCARBITRARYCLOSEDPROFILEDEF(.{kind}.,$,#{line});{points}");
     debug_assert!(document.find(line).is_none());
     edits.replace(record.span.clone(), text);
+}
+
+/// The records of a polyline that ends where it begins.
+pub fn closed(outline: &[Point], free: &mut dyn Iterator<Item = u64>) -> Option<(u64, String)> {
+    polyline(outline.iter().chain(outline.first()).map(<[f64; 2]>::as_slice), free)
 }
 
 /// The records of a polyline: its number, and the text of it and its points.
@@ -185,13 +159,6 @@ mod tests {
         let spared = 2.0 * (1.0 - std::f64::consts::FRAC_PI_4) * (0.01f64.powi(2) - 0.005f64.powi(2));
         assert!((area(&soft) - area(&z) - spared).abs() < 0.05 * spared);
         assert!(z_shape(&[0.2, 0.1, 0.01]).is_none() && ellipse(&[0.0, 1.0], 36).is_none());
-    }
-
-    #[test]
-    fn a_line_with_a_thickness() {
-        let line = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]].map(|p| p.to_vec());
-        assert!((area(&widened(&line, 0.2).unwrap()) - 1.4).abs() < 1e-12);
-        assert!(widened(&[vec![0.0, 0.0], vec![1.0, 0.0], vec![0.0, 0.0]], 0.2).is_none());
     }
 
     #[test]

@@ -57,7 +57,7 @@ fn factor(document: &Document, unit: u64, depth: usize) -> Option<f64> {
     Some(measure.first()?.number()? * inner).filter(|f| f.is_finite() && *f > 0.0)
 }
 
-/// What the trims of arcs say about their unit.
+/// What the trims of arcs and the angles of revolutions say about their unit.
 #[derive(Debug, Default)]
 struct Votes {
     radians: usize,
@@ -66,48 +66,90 @@ struct Votes {
     beyond: Option<f64>,
 }
 
+impl Votes {
+    /// Revolutions go by a full turn at most; an arc from there on may end a turn later.
+    fn angle(&mut self, angle: f64) {
+        if angle.abs() > TAU + 0.01 && self.beyond.is_none_or(|b| b < angle.abs()) {
+            self.beyond = Some(angle.abs());
+        }
+    }
+
+    /// An angle that is a part of a turn in radians, but no round number of degrees.
+    fn part_of_turn(&mut self, angle: f64) {
+        let parts = angle.abs() / (PI / 12.0);
+        self.radians += usize::from((0.5..24.5).contains(&parts) && (parts - parts.round()).abs() < 1e-5);
+    }
+
+    /// An angle of more than two turns in radians, and no more than two in degrees.
+    fn must_be_degrees(&self) -> bool {
+        self.radians == 0 && self.beyond.is_some_and(|b| b > 2.0 * TAU + 0.01 && b <= 720.01)
+    }
+}
+
 /// Radians of the unit that angles are written in, where it is not the one that the file tells, and why.
 pub fn mended_angle(document: &Document) -> Option<(f64, String)> {
     let told = project_unit(document, "PLANEANGLEUNIT");
     let votes = votes(document);
     let is_degree = |unit: f64| (unit / DEGREE - 1.0).abs() < 1e-3;
     let proven = |mine: usize, other: usize| mine > 0 && other == 0;
+    let largest = votes.beyond.map_or(String::new(), |x| format!(" up to {x:?}"));
     match told {
         None if proven(votes.degrees, votes.radians) || (votes.radians == 0 && votes.beyond.is_some()) => {
-            let largest = votes.beyond.map_or(String::new(), |x| format!(" up to {x}"));
-            Some((DEGREE, format!("the file names no unit of plane angles; its arcs{largest} are read in degrees")))
+            Some((DEGREE, format!("the file names no unit of plane angles; its angles{largest} are read in degrees")))
         }
         Some(1.0) if proven(votes.degrees, votes.radians) => {
             Some((DEGREE, "the file names radians, but the ends of its arcs are in degrees: read so".into()))
         }
-        Some(unit) if is_degree(unit) && proven(votes.radians, votes.degrees) => {
-            Some((1.0, "the file names degrees, but the ends of its arcs are in radians: read so".into()))
+        Some(1.0) if votes.must_be_degrees() => Some((
+            DEGREE,
+            format!("the file names radians, but its angles{largest} are more than two turns: read in degrees"),
+        )),
+        None | Some(1.0) if votes.beyond.is_some_and(|b| b > 2.0 * TAU + 0.01) => Some((
+            1.0,
+            format!(
+                "the file has angles{largest}: no radians, nor clearly degrees; read in radians, arcs may be wrong"
+            ),
+        )),
+        Some(unit) if is_degree(unit) && votes.beyond.is_none() && proven(votes.radians, votes.degrees) => {
+            Some((1.0, "the file names degrees, but its angles are in radians: read so".into()))
         }
         _ => None,
     }
 }
 
 fn votes(document: &Document) -> Votes {
+    const ANGLE: usize = 3;
     let mut votes = Votes::default();
     for record in document.all("IFCTRIMMEDCURVE") {
-        let values = document.values(record);
-        let Some(conic) = values.first().and_then(|v| Conic::read(document, v.reference()?)) else { continue };
-        for trim in values.iter().skip(1).take(2) {
-            let Some(angle) = trim.list().iter().find_map(Value::number) else { continue };
-            if angle.abs() > TAU + 0.01 && votes.beyond.is_none_or(|b| b < angle.abs()) {
-                votes.beyond = Some(angle.abs());
-            }
-            let point = trim.list().iter().find_map(Value::reference).and_then(|id| document.coordinates(id));
-            let Some(true_angle) = point.and_then(|p| conic.angle(&p)) else { continue };
-            let off = |unit: f64| (angle * unit - true_angle + PI).rem_euclid(TAU) - PI;
-            match (off(1.0).abs(), off(DEGREE).abs()) {
-                (near, far) if near < 0.01 && far > 0.1 => votes.radians += 1,
-                (far, near) if near < 0.01 && far > 0.1 => votes.degrees += 1,
-                _ => {}
-            }
+        arc(document, &document.values(record), &mut votes);
+    }
+    for keyword in ["IFCREVOLVEDAREASOLID", "IFCREVOLVEDAREASOLIDTAPERED"] {
+        for angle in document.all(keyword).filter_map(|r| document.values(r).get(ANGLE)?.number()) {
+            votes.angle(angle);
+            votes.part_of_turn(angle);
         }
     }
     votes
+}
+
+/// The ends of an arc: their points tell what their angles are in.
+fn arc(document: &Document, values: &[Value], votes: &mut Votes) {
+    let Some(conic) = values.first().and_then(|v| Conic::read(document, v.reference()?)) else { return };
+    for trim in values.iter().skip(1).take(2) {
+        let Some(angle) = trim.list().iter().find_map(Value::number) else { continue };
+        votes.angle(angle);
+        let point = trim.list().iter().find_map(Value::reference).and_then(|id| document.coordinates(id));
+        let Some(true_angle) = point.and_then(|p| conic.angle(&p)) else {
+            votes.part_of_turn(angle);
+            continue;
+        };
+        let off = |unit: f64| (angle * unit - true_angle + PI).rem_euclid(TAU) - PI;
+        match (off(1.0).abs(), off(DEGREE).abs()) {
+            (near, far) if near < 0.01 && far > 0.1 => votes.radians += 1,
+            (far, near) if near < 0.01 && far > 0.1 => votes.degrees += 1,
+            _ => {}
+        }
+    }
 }
 
 /// A circle or an ellipse in its plane; those of three dimensions only where they are placed upright.
@@ -177,8 +219,29 @@ mod tests {
         assert_eq!(mended(radians, &both("1.5707963")), None);
         assert_eq!(mended(degrees, &both("1.5707963")), Some(1.0));
         assert_eq!(mended(degrees, &both("90.")), None);
-        // Told, and nothing proves otherwise: as told.
-        assert_eq!(mended(radians, &p("0.", "180.")), None);
+        // Two turns or less may be radians, hundreds of turns are nothing: as told.
+        assert_eq!(mended(radians, &p("0.", "12.")), None);
+        assert_eq!(mended(radians, &p("0.", "180.")), Some(DEGREE));
+        assert_eq!(mended(radians, &p("0.", "1.E6")), Some(1.0));
+    }
+
+    #[test]
+    fn revolutions_tell_their_unit() {
+        let trims = "(IFCPARAMETERVALUE(0.)),(IFCPARAMETERVALUE(1.))";
+        let mended = |units: &str, angle: &str| {
+            let text = format!("{}#20=IFCREVOLVEDAREASOLID($,$,$,{angle});", file(units, trims));
+            mended_angle(&Document::new(text.as_bytes())).map(|m| m.0)
+        };
+        let (none, radians, degrees) = ("#1", "#1,#2", "#1,#12");
+        assert_eq!(
+            (mended(none, "90."), mended(radians, "90."), mended(radians, "360.")),
+            (Some(DEGREE), Some(DEGREE), Some(DEGREE))
+        );
+        assert_eq!(
+            (mended(none, "1.5707963"), mended(radians, "6.2831853"), mended(degrees, "90.")),
+            (None, None, None)
+        );
+        assert_eq!(mended(degrees, "1.5707963"), Some(1.0));
     }
 
     #[test]

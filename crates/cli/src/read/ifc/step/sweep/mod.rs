@@ -1,8 +1,9 @@
-//! Swept solids that the geometry library narrows at corners, or lacks: built here and handed to it as triangles.
+//! Swept solids that the geometry library narrows at corners, draws coarsely, or lacks: built here and handed to it as triangles.
 //!
 //! * [`path`]: the line that is followed, and its corners;
 //! * [`section`]: the profile; [`roll`]: how it is turned about the line;
 //! * [`rings`]: the profile along the line, mitred at corners; [`taper`]: from one profile to another;
+//! * [`turned`]: about an axis;
 //! * [`skin`]: the surface through the rings, as text;
 //! * [`shapes`]: what is read of the file.
 
@@ -13,6 +14,7 @@ mod section;
 mod shapes;
 mod skin;
 mod taper;
+mod turned;
 
 use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -31,15 +33,17 @@ pub enum Kind {
     RoundedDisk,
     TaperedExtrusion,
     TaperedRevolution,
+    Revolution,
 }
 
-const KINDS: [(&str, Kind); 6] = [
+const KINDS: [(&str, Kind); 7] = [
     ("IFCSURFACECURVESWEPTAREASOLID", Kind::Along),
     ("IFCFIXEDREFERENCESWEPTAREASOLID", Kind::Along),
     ("IFCSWEPTDISKSOLID", Kind::Disk),
     ("IFCSWEPTDISKSOLIDPOLYGONAL", Kind::RoundedDisk),
     ("IFCEXTRUDEDAREASOLIDTAPERED", Kind::TaperedExtrusion),
     ("IFCREVOLVEDAREASOLIDTAPERED", Kind::TaperedRevolution),
+    ("IFCREVOLVEDAREASOLID", Kind::Revolution),
 ];
 
 pub fn is_needed(document: &Document) -> bool {

@@ -1,5 +1,7 @@
 //! What is read of the file, by the geometry library.
 
+use std::f64::consts::TAU;
+
 use ifc_lite_core::{DecodedEntity, IfcType};
 use ifc_lite_geometry::placement::Axis1Placement;
 use ifc_lite_geometry::{Matrix4, Point3, Vector3};
@@ -10,12 +12,15 @@ use super::rings::mitred;
 use super::roll::Roll;
 use super::section::Section;
 use super::skin::Skin;
-use super::{Built, Kind, taper};
+use super::turned::Axis;
+use super::{Built, Kind, taper, turned};
 
 /// A solid of more points than this is the library's.
 const MOST_POINTS: usize = 1 << 20;
 /// Degrees of a revolution from ring to ring.
 const STEP_DEGREES: f64 = 7.5;
+/// Radians by which an angle may miss a whole turn.
+const WHOLE_TURN: f64 = 1e-4;
 
 pub struct Shapes<'a>(Library<'a>);
 
@@ -30,6 +35,7 @@ impl<'a> Shapes<'a> {
             Kind::Along => self.along(&solid),
             Kind::Disk => self.disk(&solid, None),
             Kind::RoundedDisk => self.disk(&solid, Some(solid.get_float(5).unwrap_or(0.0))),
+            Kind::Revolution => self.revolved(&solid),
             Kind::TaperedExtrusion | Kind::TaperedRevolution => self.tapered(&solid, kind),
         };
         built.unwrap_or_default()
@@ -79,16 +85,40 @@ impl<'a> Shapes<'a> {
         Some(vec![Matrix4::identity(), Matrix4::new_translation(&(way * solid.get_float(3)?))])
     }
 
-    /// From the start of a tapered revolution to its end, in steps.
+    /// SweptArea, Position, Axis, Angle; what is no more than a turn. A profile beside its axis only.
+    fn revolved(&mut self, solid: &DecodedEntity) -> Option<Built> {
+        let sections = self.sections(solid, 0)?;
+        let (axis, angle) = (self.axis(solid)?, self.angle(solid)?);
+        let place = self.0.placement(solid, 1)?;
+        let is_whole = (angle.abs() - TAU).abs() <= WHOLE_TURN;
+        let moves = self.turns(solid)?;
+        let points: usize = sections.iter().map(|s| s.points.len()).sum();
+        if angle.abs() > TAU + WHOLE_TURN || points.saturating_mul(moves.len()) > MOST_POINTS {
+            return None;
+        }
+        let skin = |section| Some(turned::skin(section, &axis, &moves, is_whole)?.moved(&place));
+        Some(Built { skins: sections.iter().map(skin).collect(), doubt: None })
+    }
+
+    /// From the start of a revolution to its end, in steps.
     fn turns(&mut self, solid: &DecodedEntity) -> Option<Vec<Matrix4<f64>>> {
+        let (axis, angle) = (self.axis(solid)?, self.angle(solid)?);
+        let steps = (angle.abs().to_degrees() / STEP_DEGREES - 1e-6).ceil().clamp(1.0, 96.0);
+        let turn = |k: u32| axis.along * (angle * f64::from(k) / steps);
+        let turn = |k| Matrix4::new_rotation_wrt_point(turn(k), axis.origin);
+        Some((0..=steps as u32).map(turn).collect())
+    }
+
+    fn axis(&mut self, solid: &DecodedEntity) -> Option<Axis> {
         let axis = self.0.at(solid, 2)?;
         let axis = Axis1Placement::read(&axis, &mut self.0.decoder).ok()?;
         let along = Vector3::from(axis.axis.unwrap_or([0.0, 0.0, 1.0])).try_normalize(0.0)?;
-        let angle = solid.get_float(3)? * self.0.radians;
-        let steps = (angle.abs().to_degrees() / STEP_DEGREES).ceil().clamp(1.0, 96.0);
-        let turn = |k: u32| along * (angle * f64::from(k) / steps);
-        let turn = |k| Matrix4::new_rotation_wrt_point(turn(k), axis.location.into());
-        Some((0..=steps as u32).map(turn).collect())
+        Some(Axis { origin: axis.location.into(), along })
+    }
+
+    /// Radians.
+    fn angle(&self, solid: &DecodedEntity) -> Option<f64> {
+        Some(solid.get_float(3)? * self.0.radians)
     }
 
     fn sections(&mut self, solid: &DecodedEntity, slot: usize) -> Option<Vec<Section>> {
