@@ -64,10 +64,13 @@ impl Meshing {
         decoder.seed_unit_scales(metres, radians);
         let router = GeometryRouter::from_config(RouterConfig { unit_scale: metres, ..RouterConfig::default() });
         let site = site_placement(text, &mut decoder, &router);
+        let site = site.filter(|m| is_on_earth([m[12], m[13], m[14]]));
         let frame = MeshFrame::select(
             site.as_ref().map(<[f64; 16]>::as_slice),
             router.detect_rtc_offset_for_file(text, &mut decoder),
         );
+        // One product placed nowhere must not take the others with it: each has a zero of its own beside this one.
+        let zero = Some(frame.rtc_offset().into()).filter(|z| is_on_earth(*z)).unwrap_or_default();
         let openings = void_index_from_content(text, &mut decoder);
         Ok(Self {
             text,
@@ -75,13 +78,18 @@ impl Meshing {
             openings,
             metres,
             radians,
-            zero: frame.rtc_offset().into(),
+            zero,
             caches: Caches {
                 items: GeometryRouter::new_dedup_cache(),
                 breps: GeometryRouter::new_brep_signature_cache(),
                 mapped: GeometryRouter::new_mapped_item_cache(),
             },
         })
+    }
+
+    /// Metres of the unit that it is meshed with.
+    pub fn metres(&self) -> f64 {
+        self.metres
     }
 
     pub fn openings(&self, id: u32) -> &[u32] {
@@ -186,6 +194,13 @@ impl Meshing {
         }
         Meshed { soup, note }
     }
+}
+
+/// Farther no coordinates of a building can lie, metres.
+pub const FARTHEST_M: f64 = 1e9;
+
+fn is_on_earth(at: [f64; 3]) -> bool {
+    at.iter().all(|c| c.abs() <= FARTHEST_M)
 }
 
 /// Where the first site lies, metres, in columns.

@@ -3,6 +3,7 @@
 //! * [`envelope`]: what stands around it; UTF-16;
 //! * [`encoding`]: names that are no UTF-8;
 //! * [`numbers`]: numbers of records beyond 32 bits;
+//! * [`lost`]: records that would be lost without a word; [`bodies`]: which representations are a body;
 //! * [`profiles`], [`curves`]: shapes that the library lacks or reads otherwise than meant;
 //! * [`dense`]: profiles that it would thin out; [`library`]: what is asked of it;
 //! * [`sweep`]: solids that it narrows at corners, or lacks;
@@ -10,12 +11,14 @@
 //! * [`units`], [`map_conversion`]: what is read of it beside the geometry;
 //! * [`record`], [`value`], [`document`]: the text, record by record.
 
+mod bodies;
 mod curves;
 mod dense;
 mod document;
 mod encoding;
 mod envelope;
 mod library;
+mod lost;
 mod map_conversion;
 mod numbers;
 mod profiles;
@@ -47,27 +50,47 @@ pub struct Step<'a> {
     pub map_conversion: Option<MapConversion>,
     /// Metres of the project's unit of length.
     pub length_unit: Option<f64>,
+    /// The project has a unit of length, whatever it is worth.
+    pub names_length: bool,
 }
 
 impl<'a> Step<'a> {
     pub fn read(bytes: &'a [u8]) -> Result<Self, String> {
         let (mut words, mut notes, mut original) = (Vec::new(), Vec::new(), HashMap::new());
         let text = encoding::readable(envelope::open(bytes, &mut words)?, &mut words);
+        let text = lost::separated(text, &mut words);
         let text = numbers::within_reach(text, &mut original)?;
         let document = Document::new(&text);
+        lost::doubled(&document, &text, &mut words);
         let mended = units::mended_angle(&document);
         let angle = mended.as_ref().map(|m| m.0);
         words.extend(mended.map(|m| m.1));
         let map_conversion = MapConversion::read(&document);
-        let length_unit = units::project_metres(&document);
-        let edits = edits(&document, &mut notes);
+        let (length_unit, names_length) = (units::project_metres(&document), units::names_length(&document));
+        let edits = edits(&document, &mut notes, &mut words);
         // What was written out may be dense.
         let (may_be_dense, has_sweeps) =
             (!edits.is_empty() || dense::is_needed(&document), sweep::is_needed(&document));
         let text = if edits.is_empty() { text } else { Cow::Owned(edits.apply(&text)) };
         let text = if may_be_dense { dense::keep(text, angle) } else { text };
         let text = if has_sweeps { sweep::write_out(text, angle, &mut notes) } else { text };
-        Ok(Self { text, words, notes, original, angle, map_conversion, length_unit })
+        Ok(Self { text, words, notes, original, angle, map_conversion, length_unit, names_length })
+    }
+
+    /// The unit of length that counts, the one that is meshed with, and what is to be said where the file tells another.
+    pub fn settled_unit(&self, meshed: f64) -> (Option<f64>, Option<String>) {
+        if !self.names_length {
+            return (None, None);
+        }
+        let word = match self.length_unit {
+            Some(told) if (told / meshed - 1.0).abs() < 1e-6 => None,
+            Some(told) => Some(format!(
+                "its unit of length is {meshed} m by its name and {told} m by its factor: {meshed} m taken; repair the \
+                 unit if its sizes are wrong"
+            )),
+            None => Some(format!("its unit of length has no factor that can be: {meshed} m taken by its name")),
+        };
+        (Some(meshed), word)
     }
 
     /// A record's number in the file.
@@ -76,12 +99,13 @@ impl<'a> Step<'a> {
     }
 }
 
-fn edits(document: &Document, notes: &mut Vec<(u64, String)>) -> Edits {
+fn edits(document: &Document, notes: &mut Vec<(u64, String)>, words: &mut Vec<String>) -> Edits {
     let mut edits = Edits::default();
     let mut free = document.free_numbers();
     profiles::write_out(document, &mut free, &mut edits);
     curves::write_out_trimmed(document, &mut free, &mut edits);
     curves::take_whole(document, &mut edits, notes);
+    bodies::choose(document, &mut edits, notes, words);
     // Legal in IFC2x3, where it is no abstract type yet; of the same three attributes.
     for record in document.all("IFCPRODUCTREPRESENTATION") {
         edits.replace(record.keyword.clone(), "IFCPRODUCTDEFINITIONSHAPE");
