@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
-use ifc_lite_core::{EntityDecoder, EntityIndex, EntityScanner, UnitScales, keyword_eq};
-use ifc_lite_geometry::representation::product_shape_id;
+use ifc_lite_core::{EntityDecoder, EntityIndex, EntityScanner, IfcType, UnitScales, keyword_eq};
+use ifc_lite_geometry::representation::{
+    mapped_item_representation_id, pds_representation_ids, product_shape_id, rep_item_ids,
+};
 use ifc_lite_geometry::{
     GeometryRouter, ItemDedupCache, Mesh, RouterConfig, SharedBrepSignatureCache, SharedMappedItemCache,
     TessellationQuality, format_unsupported_breakdown, void_index_from_content,
@@ -119,6 +121,27 @@ impl Meshing {
         self.with_decoder(warm, |decoder, _| {
             let entity = decoder.decode_by_id(id).ok();
             entity.and_then(|e| product_shape_id(&e)).is_some()
+        })
+    }
+
+    /// Whether its shape is cut or joined out of others.
+    pub fn is_boolean(&self, id: u32, warm: &mut Warm) -> bool {
+        self.with_decoder(warm, |decoder, _| {
+            let shape = decoder.decode_by_id(id).ok().and_then(|e| product_shape_id(&e));
+            let Some(shape) = shape.and_then(|s| decoder.decode_by_id(s).ok()) else { return false };
+            let mut open: Vec<u32> = pds_representation_ids(&shape).collect();
+            // A map may lead to another; none leads on for long.
+            for _ in 0..64 {
+                let Some(representation) = open.pop().and_then(|r| decoder.decode_by_id(r).ok()) else { break };
+                for item in rep_item_ids(&representation) {
+                    let Ok(item) = decoder.decode_by_id(item) else { continue };
+                    if item.ifc_type.is_subtype_of(IfcType::IfcBooleanResult) {
+                        return true;
+                    }
+                    open.extend(mapped_item_representation_id(&item, decoder));
+                }
+            }
+            false
         })
     }
 

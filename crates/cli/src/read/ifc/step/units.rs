@@ -17,9 +17,10 @@ pub fn project_metres(document: &Document) -> Option<f64> {
     project_unit(document, "LENGTHUNIT")
 }
 
-/// Whether the project has a unit of length, be its factor what it may.
+/// Whether the project has a unit of length, be its factor what it may; one that depends on its context tells nothing.
 pub fn names_length(document: &Document) -> bool {
-    unit_of(document, "LENGTHUNIT").is_some()
+    let record = unit_of(document, "LENGTHUNIT").and_then(|unit| document.find(unit));
+    record.is_some_and(|r| !document.is(r, "IFCCONTEXTDEPENDENTUNIT"))
 }
 
 fn project_unit(document: &Document, kind: &str) -> Option<f64> {
@@ -37,7 +38,9 @@ fn unit_of(document: &Document, kind: &str) -> Option<u64> {
 
 /// What one of a unit is in SI.
 fn factor(document: &Document, unit: u64, depth: usize) -> Option<f64> {
-    const PREFIXES: [(&str, f64); 8] = [
+    const PREFIXES: [(&str, f64); 10] = [
+        ("GIGA", 1e9),
+        ("MEGA", 1e6),
         ("MILLI", 1e-3),
         ("CENTI", 1e-2),
         ("DECI", 1e-1),
