@@ -38,7 +38,9 @@ fn take(product: &mut Product, outcome: Outcome, model: &mut Model) -> Option<St
     let Outcome { soup, note, unproven, mended } = outcome;
     model.mended += usize::from(mended);
     if soup.triangles.is_empty() {
-        return Some(note.unwrap_or_else(|| "the geometry library made no triangles of it".into()));
+        return Some(note.unwrap_or_else(|| {
+            "no triangles came of it: look at its items, their placements and its openings".into()
+        }));
     }
     (product.vertices, product.triangles) = (soup.vertices, soup.triangles);
     if let Some(reason) = no_solid(product) {
@@ -72,7 +74,9 @@ fn no_solid(product: &Product) -> Option<String> {
     // As thin as its vertices are exact, on the average.
     let is_nothing = |volume: f64| volume.abs() < 1e-7 * solid.area();
     let is_empty = solid.closedness() != Closedness::Open && solid.volume().is_ok_and(is_nothing);
-    is_empty.then(|| "nothing is left of it: it is cut away entirely, or has no thickness; look at its cuts".into())
+    is_empty.then(|| {
+        "nothing is left of it: it has no thickness, or is cut away entirely; look at its profile and its cuts".into()
+    })
 }
 
 /// In words, short whatever it is.

@@ -8,7 +8,7 @@ use ifc_lite_geometry::representation::{
 };
 use ifc_lite_geometry::{
     GeometryRouter, ItemDedupCache, Mesh, RouterConfig, SharedBrepSignatureCache, SharedMappedItemCache,
-    TessellationQuality, format_unsupported_breakdown, void_index_from_content,
+    TessellationQuality, void_index_from_content,
 };
 use ifc_lite_processing::MeshFrame;
 use ifc_lite_processing::element::{
@@ -18,6 +18,7 @@ use ifc_lite_processing::element::{
 use ifc_lite_processing::execution::{RouterCaches, SchedulerPolicy, build_router};
 use rustc_hash::FxHashMap;
 
+use super::diagnose;
 use super::soup::Soup;
 
 /// A model ready to be meshed, product by product, by as many threads as there are.
@@ -210,12 +211,24 @@ impl Meshing {
             metadata: None,
         };
         let produced = produce_element_meshes(&job, &context, &MeshProductionOptions::default(), decoder, router);
-        let note = complaint(&produced, decoder, router);
+        let mut note = complaint(&produced, decoder, router);
         let mut soup = Soup::default();
         for mesh in produced.meshes.iter().filter(|m| m.geometry_class == 0) {
             soup.add(&mesh.positions, &mesh.indices, |p| self.world(p, mesh.origin));
         }
+        if soup.triangles.is_empty() {
+            note = self.loss(id, note, produced.degenerate_triangles_dropped > 0);
+        }
         Meshed { soup, note }
+    }
+
+    /// Why nothing came of a product: what its records tell, else what the library says.
+    fn loss(&self, id: u32, note: Option<String>, is_degenerate: bool) -> Option<String> {
+        const POINTS: &str = "all its triangles are points or lines: its coordinates are too large beside its size, or \
+            its faces have no area";
+        let found = diagnose::of(&diagnose::Records { text: self.text, index: &self.index }, id);
+        let said = found.map(|f| format!("it cannot be meshed: {f}")).or(is_degenerate.then(|| POINTS.into()));
+        said.or(note)
     }
 }
 
@@ -246,7 +259,12 @@ fn complaint(produced: &ProducedElementMeshes, decoder: &EntityDecoder, router: 
     let mut reasons = Vec::new();
     let unsupported = router.take_unsupported_items();
     if !unsupported.is_empty() {
-        reasons.push(format!("shapes that are not supported: {}", format_unsupported_breakdown(&unsupported)));
+        let mut kinds: Vec<&str> = unsupported.keys().map(String::as_str).collect();
+        kinds.sort_unstable();
+        let kinds = kinds.join(", ");
+        reasons.push(format!(
+            "its {kinds} cannot be meshed: look at its profile, depth and references, or export it as a Brep"
+        ));
     }
     let refused: Vec<String> = decoder.refused_record_ids().into_iter().take(5).map(|id| format!("#{id}")).collect();
     if !refused.is_empty() {

@@ -10,14 +10,15 @@ use crate::read::ifc::soup::Soup;
 /// How far openings are enlarged, metres: less than any wall is exact, more than the library rounds.
 const OUTWARDS_M: [f64; 3] = [5e-5, 0.0, 2e-4];
 
-/// What is left of the host, one way after the other: with openings a little larger, each by another measure, so
-/// that no faces lie in one plane and no skins are left; as they are.
-pub fn all_ways(host: &Soup, tools: &[Soup]) -> impl Iterator<Item = Soup> {
+/// What is left of the host and the openings that were cut, one way after the other: with openings a little larger,
+/// each by another measure, so that no faces lie in one plane and no skins are left; as they are.
+pub fn all_ways(host: &Soup, tools: &[Soup]) -> impl Iterator<Item = (Soup, Vec<Soup>)> {
     let host = stitched(host);
     let tools: Vec<Soup> = tools.iter().map(stitched).collect();
     OUTWARDS_M.into_iter().filter_map(move |by| {
         let larger = |(k, tool): (usize, &Soup)| enlarged(tool, by * (1.0 + 0.07 * (k % 10) as f64));
-        subtract(&host, &tools.iter().enumerate().map(larger).collect::<Vec<_>>())
+        let larger: Vec<Soup> = tools.iter().enumerate().map(larger).collect();
+        Some((subtract(&host, &larger)?, larger))
     })
 }
 

@@ -109,7 +109,10 @@ impl Cutter {
             Finding::Wrong(off) => off,
         };
         let is_right = |left: &Soup| judge(host, tools, left, LINES) == Finding::Right && !left.is_open();
-        let by_kernel = || kernel::all_ways(host, tools).find(|left| is_right(left));
+        // By the openings that it cut, a hair's breadth larger: a line that grazes a face would see much of the hair.
+        let is_its_own =
+            |(left, cut): &(Soup, Vec<Soup>)| judge(host, cut, left, LINES) == Finding::Right && !left.is_open();
+        let by_kernel = || kernel::all_ways(host, tools).find(is_its_own).map(|(left, _)| left);
         let exact = exact.filter(is_right).or_else(by_kernel);
         match exact.or_else(|| self.again(id, is_right)) {
             Some(soup) => {

@@ -99,6 +99,28 @@ impl<'a> Step<'a> {
     }
 }
 
+/// A record by itself.
+pub struct Described {
+    /// In capitals.
+    pub keyword: String,
+    pub references: Vec<u64>,
+    /// Its arguments, as far as they are numbers.
+    pub numbers: Vec<Option<f64>>,
+}
+
+/// The record that a text begins with.
+pub fn described(text: &[u8]) -> Option<Described> {
+    let record = record::Records::new(text).next()?;
+    let mut all = Vec::new();
+    references(&text[record.arguments.clone()], 0, |_, id| all.push(id));
+    let numbers = value::values(&text[record.arguments.clone()]).unwrap_or_default();
+    Some(Described {
+        keyword: String::from_utf8_lossy(&text[record.keyword.clone()]).to_ascii_uppercase(),
+        references: all,
+        numbers: numbers.iter().map(value::Value::number).collect(),
+    })
+}
+
 fn edits(document: &Document, notes: &mut Vec<(u64, String)>, words: &mut Vec<String>) -> Edits {
     let mut edits = Edits::default();
     let mut free = document.free_numbers();
