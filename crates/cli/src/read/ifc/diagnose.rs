@@ -61,6 +61,11 @@ impl Search<'_> {
 
 /// A measure that must be more than nothing and is not.
 fn wrong_measure(record: &Described) -> Option<String> {
+    let Some(numbers) = &record.numbers else {
+        // A record of several types at once has no list of its own.
+        let is_plain = !record.keyword.is_empty();
+        return is_plain.then(|| "its arguments cannot be read: write its numbers as in 1.5 or 1.5E3".into());
+    };
     let (names, first): (&[&str], usize) = match record.keyword.as_str() {
         "IFCEXTRUDEDAREASOLID" | "IFCEXTRUDEDAREASOLIDTAPERED" => (&["depth"], 3),
         "IFCRECTANGLEPROFILEDEF" | "IFCROUNDEDRECTANGLEPROFILEDEF" | "IFCRECTANGLEHOLLOWPROFILEDEF" => {
@@ -75,7 +80,7 @@ fn wrong_measure(record: &Described) -> Option<String> {
         "IFCBLOCK" => (&["x length", "y length", "z length"], 1),
         _ => return None,
     };
-    let measure = |k: usize| record.numbers.get(first + k).copied().flatten();
+    let measure = |k: usize| numbers.get(first + k).copied().flatten();
     let wrong = names.iter().enumerate().find_map(|(k, name)| Some((name, measure(k).filter(|x| *x <= 0.0)?)));
     wrong.map(|(name, x)| format!("its {name} is {x}"))
 }

@@ -167,7 +167,11 @@ fn named(openings: &[u32]) -> String {
 }
 
 fn doubt(off: f64) -> String {
-    if off.is_finite() {
+    if off < 1e-3 {
+        "its openings could not be cut as they are drawn: skins are left in them; do not trust its openings, or repair \
+            the model"
+            .into()
+    } else if off.is_finite() {
         format!(
             "its openings could not be cut as they are drawn: {off:.3} m too much or too little on a line through \
              them; do not trust its openings, or repair the model"

@@ -104,8 +104,8 @@ pub struct Described {
     /// In capitals.
     pub keyword: String,
     pub references: Vec<u64>,
-    /// Its arguments, as far as they are numbers.
-    pub numbers: Vec<Option<f64>>,
+    /// Its arguments, as far as they are numbers; `None` where they are no list of values.
+    pub numbers: Option<Vec<Option<f64>>>,
 }
 
 /// The record that a text begins with.
@@ -113,11 +113,11 @@ pub fn described(text: &[u8]) -> Option<Described> {
     let record = record::Records::new(text).next()?;
     let mut all = Vec::new();
     references(&text[record.arguments.clone()], 0, |_, id| all.push(id));
-    let numbers = value::values(&text[record.arguments.clone()]).unwrap_or_default();
+    let numbers = value::values(&text[record.arguments.clone()]);
     Some(Described {
         keyword: String::from_utf8_lossy(&text[record.keyword.clone()]).to_ascii_uppercase(),
         references: all,
-        numbers: numbers.iter().map(value::Value::number).collect(),
+        numbers: numbers.map(|all| all.iter().map(value::Value::number).collect()),
     })
 }
 
