@@ -5,21 +5,28 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use boolmesh::prelude::{Manifold, OpType, compute_boolean};
 
 use super::clean::{enlarged, stitched};
+use super::line::dot;
 use crate::read::ifc::soup::Soup;
 
 /// How far openings are enlarged, metres: less than any wall is exact, more than the library rounds.
-const OUTWARDS_M: [f64; 3] = [5e-5, 0.0, 2e-4];
+const OUTWARDS_M: [f64; 3] = [0.0, 5e-5, 2e-4];
 
-/// What is left of the host and the openings that were cut, one way after the other: with openings a little larger,
-/// each by another measure, so that no faces lie in one plane and no skins are left; as they are.
+/// What is left of the host and the openings that were cut, one way after the other: as they are; a little larger,
+/// each by another measure, so that no faces lie in one plane and no skins are left.
 pub fn all_ways(host: &Soup, tools: &[Soup]) -> impl Iterator<Item = (Soup, Vec<Soup>)> {
     let host = stitched(host);
-    let tools: Vec<Soup> = tools.iter().map(stitched).collect();
+    // One without thickness cuts nothing; enlarged it would be a slit.
+    let tools: Vec<Soup> = tools.iter().filter(|tool| !is_flat(tool)).map(stitched).collect();
     OUTWARDS_M.into_iter().filter_map(move |by| {
         let larger = |(k, tool): (usize, &Soup)| enlarged(tool, by * (1.0 + 0.07 * (k % 10) as f64));
         let larger: Vec<Soup> = tools.iter().enumerate().map(larger).collect();
         Some((subtract(&host, &larger)?, larger))
     })
+}
+
+fn is_flat(tool: &Soup) -> bool {
+    let area: f64 = (0..tool.triangles.len()).map(|t| tool.normal(t)).map(|n| dot(n, n).sqrt() / 2.0).sum();
+    tool.volume().abs() < 1e-4 * area
 }
 
 /// What is left of the host; `None` where the kernel cannot.
