@@ -9,15 +9,15 @@ use super::line::dot;
 use crate::read::ifc::soup::Soup;
 
 /// How far openings are enlarged, metres: less than any wall is exact, more than the library rounds.
-const OUTWARDS_M: [f64; 3] = [0.0, 5e-5, 2e-4];
+pub const OUTWARDS_M: [f64; 2] = [5e-5, 2e-4];
 
-/// What is left of the host and the openings that were cut, one way after the other: as they are; a little larger,
-/// each by another measure, so that no faces lie in one plane and no skins are left.
-pub fn all_ways(host: &Soup, tools: &[Soup]) -> impl Iterator<Item = (Soup, Vec<Soup>)> {
+/// What is left of the host and the openings that were cut, one way after the other: openings larger by so much, each
+/// by another measure, so that no faces lie in one plane and no skins are left.
+pub fn all_ways<'a>(host: &Soup, tools: &[Soup], by: &'a [f64]) -> impl Iterator<Item = (Soup, Vec<Soup>)> + use<'a> {
     let host = stitched(host);
     // One without thickness cuts nothing; enlarged it would be a slit.
     let tools: Vec<Soup> = tools.iter().filter(|tool| !is_flat(tool)).map(stitched).collect();
-    OUTWARDS_M.into_iter().filter_map(move |by| {
+    by.iter().filter_map(move |by| {
         let larger = |(k, tool): (usize, &Soup)| enlarged(tool, by * (1.0 + 0.07 * (k % 10) as f64));
         let larger: Vec<Soup> = tools.iter().enumerate().map(larger).collect();
         Some((subtract(&host, &larger)?, larger))

@@ -112,9 +112,11 @@ impl Cutter {
         // By the openings that it cut, a hair's breadth larger: a line that grazes a face would see much of the hair.
         let is_its_own =
             |(left, cut): &(Soup, Vec<Soup>)| judge(host, cut, left, LINES) == Finding::Right && !left.is_open();
-        let by_kernel = || kernel::all_ways(host, tools).find(is_its_own).map(|(left, _)| left);
-        let exact = exact.filter(is_right).or_else(by_kernel);
-        match exact.or_else(|| self.again(id, is_right)) {
+        let by_kernel = |by: &[f64]| kernel::all_ways(host, tools, by).find(is_its_own).map(|(left, _)| left);
+        let exact = exact.filter(is_right).or_else(|| by_kernel(&[0.0]));
+        // Enlarged ones last: where an opening folds flat upon itself they would cut a slit as wide as they grew.
+        let right = exact.or_else(|| self.again(id, is_right)).or_else(|| by_kernel(&kernel::OUTWARDS_M));
+        match right {
             Some(soup) => {
                 let is_gone = soup.triangles.is_empty();
                 let note = is_gone.then(|| "nothing is left of it: its openings cut it away entirely".to_owned());
