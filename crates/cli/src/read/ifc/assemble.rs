@@ -5,6 +5,7 @@ use std::collections::{HashMap, HashSet};
 use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Closedness;
 
+use super::meshing::FARTHEST_M;
 use super::reader::Progress;
 use super::told::{Drafts, Header, Outcome};
 use super::{Model, Product};
@@ -37,7 +38,9 @@ fn take(product: &mut Product, outcome: Outcome, model: &mut Model) -> Option<St
     let Outcome { soup, note, unproven, mended } = outcome;
     model.mended += usize::from(mended);
     if soup.triangles.is_empty() {
-        return Some(note.unwrap_or_else(|| "the geometry library made no triangles of it".into()));
+        return Some(note.unwrap_or_else(|| {
+            "no triangles came of it: look at its items, their placements and its openings".into()
+        }));
     }
     (product.vertices, product.triangles) = (soup.vertices, soup.triangles);
     if let Some(reason) = no_solid(product) {
@@ -57,10 +60,12 @@ fn take(product: &mut Product, outcome: Outcome, model: &mut Model) -> Option<St
 
 /// Why a mesh is none of a building: an impossible place, or nothing between its faces.
 fn no_solid(product: &Product) -> Option<String> {
-    const FARTHEST_M: f64 = 1e9;
     let far = product.vertices.iter().flatten().copied().find(|c| c.abs() > FARTHEST_M);
     if let Some(c) = far {
-        return Some(format!("a vertex lies {c:.0} m from the file's zero; repair its placement or its points"));
+        return Some(format!(
+            "a vertex lies {} m from the file's zero; repair its placement or its points",
+            distance(c)
+        ));
     }
     let solid = match product.solid() {
         Ok(solid) => solid?,
@@ -69,7 +74,14 @@ fn no_solid(product: &Product) -> Option<String> {
     // As thin as its vertices are exact, on the average.
     let is_nothing = |volume: f64| volume.abs() < 1e-7 * solid.area();
     let is_empty = solid.closedness() != Closedness::Open && solid.volume().is_ok_and(is_nothing);
-    is_empty.then(|| "nothing is left of it: it is cut away entirely, or has no thickness; look at its cuts".into())
+    is_empty.then(|| {
+        "nothing is left of it: it has no thickness, or is cut away entirely; look at its profile and its cuts".into()
+    })
+}
+
+/// In words, short whatever it is.
+fn distance(c: f64) -> String {
+    if c.abs() < 1e12 { format!("{c:.0}") } else { format!("{c:.1e}") }
 }
 
 /// Far from the file's zero the library's sweeps keep single precision only: the grid (metres) on which all

@@ -32,7 +32,7 @@ pub fn read(bytes: &[u8], index: &Arc<EntityIndex>) -> (Attributes, Relations) {
             storeys.insert(row.express_id, name);
         }
         if !is_left_out(&entity.ifc_type) {
-            let has_body = row.has_geometry && has_body(entity, &mut decoder);
+            let has_body = has_body(entity, &mut decoder);
             let is_element = entity.ifc_type.is_subtype_of(IfcType::IfcElement);
             out.drafts.insert(row.express_id, Draft { product: product(row), has_body, is_element });
         } else if row.has_geometry {
@@ -66,9 +66,14 @@ fn is_left_out(t: &IfcType) -> bool {
 
 /// A body in name, or a representation that the library would mesh; it passes over some bodies in silence.
 fn has_body(entity: &DecodedEntity, decoder: &mut EntityDecoder) -> bool {
-    let Some(shape) = product_shape_id(entity).and_then(|id| decoder.decode_by_id(id).ok()) else { return false };
-    let representations: Vec<_> =
-        pds_representation_ids(&shape).filter_map(|id| decoder.decode_by_id(id).ok()).collect();
+    let Some(id) = product_shape_id(entity) else { return false };
+    // What is drawn and missing must be told, not passed over.
+    let Ok(shape) = decoder.decode_by_id(id) else { return true };
+    let ids: Vec<u32> = pds_representation_ids(&shape).collect();
+    let representations: Vec<_> = ids.iter().filter_map(|&id| decoder.decode_by_id(id).ok()).collect();
+    if !ids.is_empty() && representations.is_empty() {
+        return true;
+    }
     let named = representations.iter().any(|r| r.get_string(1).is_some_and(|s| s.eq_ignore_ascii_case("Body")));
     let meshed = meshed_representations(entity, &representations).next().is_some();
     named || meshed

@@ -175,7 +175,7 @@ impl File {
     }
 
     /// A box on a place and two axes: from there along the first for `depth`.
-    fn body(&mut self, at: [f64; 3], axes: &str, [a, b, depth]: [f64; 3]) -> u32 {
+    pub fn body(&mut self, at: [f64; 3], axes: &str, [a, b, depth]: [f64; 3]) -> u32 {
         let point = self.add(format_args!("IFCCARTESIANPOINT(({:?},{:?},{:?}))", at[0], at[1], at[2]));
         let place = self.add(format_args!("IFCAXIS2PLACEMENT3D(#{point},{axes})"));
         let profile = self.add(format_args!("IFCRECTANGLEPROFILEDEF(.AREA.,$,$,{a:?},{b:?})"));

@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use ifc_lite_core::{EntityDecoder, EntityIndex, EntityScanner, UnitScales, keyword_eq};
-use ifc_lite_geometry::representation::product_shape_id;
+use ifc_lite_core::{EntityDecoder, EntityIndex, EntityScanner, IfcType, UnitScales, keyword_eq};
+use ifc_lite_geometry::representation::{
+    mapped_item_representation_id, pds_representation_ids, product_shape_id, rep_item_ids,
+};
 use ifc_lite_geometry::{
     GeometryRouter, ItemDedupCache, Mesh, RouterConfig, SharedBrepSignatureCache, SharedMappedItemCache,
-    TessellationQuality, format_unsupported_breakdown, void_index_from_content,
+    TessellationQuality, void_index_from_content,
 };
 use ifc_lite_processing::MeshFrame;
 use ifc_lite_processing::element::{
@@ -16,6 +18,7 @@ use ifc_lite_processing::element::{
 use ifc_lite_processing::execution::{RouterCaches, SchedulerPolicy, build_router};
 use rustc_hash::FxHashMap;
 
+use super::diagnose;
 use super::soup::Soup;
 
 /// A model ready to be meshed, product by product, by as many threads as there are.
@@ -64,10 +67,13 @@ impl Meshing {
         decoder.seed_unit_scales(metres, radians);
         let router = GeometryRouter::from_config(RouterConfig { unit_scale: metres, ..RouterConfig::default() });
         let site = site_placement(text, &mut decoder, &router);
+        let site = site.filter(|m| is_on_earth([m[12], m[13], m[14]]));
         let frame = MeshFrame::select(
             site.as_ref().map(<[f64; 16]>::as_slice),
             router.detect_rtc_offset_for_file(text, &mut decoder),
         );
+        // One product placed nowhere must not take the others with it: each has a zero of its own beside this one.
+        let zero = Some(frame.rtc_offset().into()).filter(|z| is_on_earth(*z)).unwrap_or_default();
         let openings = void_index_from_content(text, &mut decoder);
         Ok(Self {
             text,
@@ -75,13 +81,18 @@ impl Meshing {
             openings,
             metres,
             radians,
-            zero: frame.rtc_offset().into(),
+            zero,
             caches: Caches {
                 items: GeometryRouter::new_dedup_cache(),
                 breps: GeometryRouter::new_brep_signature_cache(),
                 mapped: GeometryRouter::new_mapped_item_cache(),
             },
         })
+    }
+
+    /// Metres of the unit that it is meshed with.
+    pub fn metres(&self) -> f64 {
+        self.metres
     }
 
     pub fn openings(&self, id: u32) -> &[u32] {
@@ -111,6 +122,27 @@ impl Meshing {
         self.with_decoder(warm, |decoder, _| {
             let entity = decoder.decode_by_id(id).ok();
             entity.and_then(|e| product_shape_id(&e)).is_some()
+        })
+    }
+
+    /// Whether its shape is cut or joined out of others.
+    pub fn is_boolean(&self, id: u32, warm: &mut Warm) -> bool {
+        self.with_decoder(warm, |decoder, _| {
+            let shape = decoder.decode_by_id(id).ok().and_then(|e| product_shape_id(&e));
+            let Some(shape) = shape.and_then(|s| decoder.decode_by_id(s).ok()) else { return false };
+            let mut open: Vec<u32> = pds_representation_ids(&shape).collect();
+            // A map may lead to another; none leads on for long.
+            for _ in 0..64 {
+                let Some(representation) = open.pop().and_then(|r| decoder.decode_by_id(r).ok()) else { break };
+                for item in rep_item_ids(&representation) {
+                    let Ok(item) = decoder.decode_by_id(item) else { continue };
+                    if item.ifc_type.is_subtype_of(IfcType::IfcBooleanResult) {
+                        return true;
+                    }
+                    open.extend(mapped_item_representation_id(&item, decoder));
+                }
+            }
+            false
         })
     }
 
@@ -179,13 +211,32 @@ impl Meshing {
             metadata: None,
         };
         let produced = produce_element_meshes(&job, &context, &MeshProductionOptions::default(), decoder, router);
-        let note = complaint(&produced, decoder, router);
+        let mut note = complaint(&produced, decoder, router);
         let mut soup = Soup::default();
         for mesh in produced.meshes.iter().filter(|m| m.geometry_class == 0) {
             soup.add(&mesh.positions, &mesh.indices, |p| self.world(p, mesh.origin));
         }
+        if soup.triangles.is_empty() {
+            note = self.loss(id, note, produced.degenerate_triangles_dropped > 0);
+        }
         Meshed { soup, note }
     }
+
+    /// Why nothing came of a product: what its records tell, else what the library says.
+    fn loss(&self, id: u32, note: Option<String>, is_degenerate: bool) -> Option<String> {
+        const POINTS: &str = "all its triangles are points or lines: its coordinates are too large beside its size, or \
+            its faces have no area";
+        let found = diagnose::of(&diagnose::Records { text: self.text, index: &self.index }, id);
+        let said = found.map(|f| format!("it cannot be meshed: {f}")).or(is_degenerate.then(|| POINTS.into()));
+        said.or(note)
+    }
+}
+
+/// Farther no coordinates of a building can lie, metres.
+pub const FARTHEST_M: f64 = 1e9;
+
+fn is_on_earth(at: [f64; 3]) -> bool {
+    at.iter().all(|c| c.abs() <= FARTHEST_M)
 }
 
 /// Where the first site lies, metres, in columns.
@@ -208,7 +259,12 @@ fn complaint(produced: &ProducedElementMeshes, decoder: &EntityDecoder, router: 
     let mut reasons = Vec::new();
     let unsupported = router.take_unsupported_items();
     if !unsupported.is_empty() {
-        reasons.push(format!("shapes that are not supported: {}", format_unsupported_breakdown(&unsupported)));
+        let mut kinds: Vec<&str> = unsupported.keys().map(String::as_str).collect();
+        kinds.sort_unstable();
+        let kinds = kinds.join(", ");
+        reasons.push(format!(
+            "its {kinds} cannot be meshed: look at its profile, depth and references, or export it as a Brep"
+        ));
     }
     let refused: Vec<String> = decoder.refused_record_ids().into_iter().take(5).map(|id| format!("#{id}")).collect();
     if !refused.is_empty() {

@@ -4,6 +4,7 @@
 //! * [`step`]: the file's text, made what the geometry library can read;
 //! * [`attributes`], [`relations`]: products without their meshes;
 //! * [`meshing`], [`soup`], [`cut`]: a product's mesh, its openings cut and proven;
+//! * [`diagnose`]: why a product has no mesh;
 //! * [`worker`], [`watch`], [`reach`]: the child's side, product by product;
 //! * [`told`]: what passes between both;
 //! * [`reader`], [`assemble`]: the parent's side;
@@ -12,6 +13,7 @@
 mod assemble;
 mod attributes;
 mod cut;
+mod diagnose;
 #[cfg(test)]
 mod field_tests;
 mod meshing;
@@ -22,6 +24,8 @@ mod relations;
 mod shape_tests;
 mod soup;
 mod step;
+#[cfg(test)]
+mod structure_tests;
 mod table;
 mod told;
 mod watch;

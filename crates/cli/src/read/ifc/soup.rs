@@ -2,8 +2,11 @@
 
 use std::collections::HashMap;
 
-use asbuilt_core::geometry::Vec3;
+use asbuilt_core::geometry::{Closedness, Vec3};
+use rustc_hash::{FxHashMap, FxHashSet};
 use serde::{Deserialize, Serialize};
+
+use super::Product;
 
 /// A mesh, world metres.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
@@ -41,6 +44,37 @@ impl Soup {
         if a != b && b != c && c != a {
             self.triangles.push([a, b, c]);
         }
+    }
+
+    /// Whether every edge is matched by its reverse.
+    pub fn is_closed(&self) -> bool {
+        self.balance().values().all(|n| *n == 0)
+    }
+
+    /// Directed edges that no reverse matches.
+    pub fn border(&self) -> FxHashSet<(u32, u32)> {
+        let left = self.balance().into_iter().filter(|(_, n)| *n != 0);
+        left.map(|((a, b), n)| if n > 0 { (a, b) } else { (b, a) }).collect()
+    }
+
+    fn balance(&self) -> FxHashMap<(u32, u32), i32> {
+        let mut balance: FxHashMap<(u32, u32), i32> = FxHashMap::default();
+        for t in &self.triangles {
+            for (a, b) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
+                *balance.entry((a.min(b), a.max(b))).or_default() += if a < b { 1 } else { -1 };
+            }
+        }
+        balance
+    }
+
+    /// Whether it has gaps: as the product that it will be is judged.
+    pub fn is_open(&self) -> bool {
+        if self.is_closed() {
+            return false;
+        }
+        let product =
+            Product { vertices: self.vertices.clone(), triangles: self.triangles.clone(), ..Product::default() };
+        product.solid().is_ok_and(|s| s.is_some_and(|s| s.closedness() == Closedness::Open))
     }
 
     pub fn corners(&self, triangle: usize) -> [[f64; 3]; 3] {

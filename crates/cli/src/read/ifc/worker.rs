@@ -77,15 +77,18 @@ pub(super) fn tell(
         return Err(format!("it holds no product with a body ({n} products without): export it with its 3D geometry"));
     }
     let notes = super::reach::notes(step, &index, &attributes.drafts);
+    let meshing = Meshing::new(text, index, step.angle)?;
     if !task.has_header {
         let mut drafts = attributes.drafts;
         drafts.iter_mut().for_each(|(&id, d)| d.product.id = step.shown(id));
-        let (whole_of, words, map_conversion) = (relations.whole_of, step.words.clone(), step.map_conversion.clone());
-        let (left_out, length_unit) = (attributes.left_out, step.length_unit);
+        let (length_unit, word) = step.settled_unit(meshing.metres());
+        let words = step.words.iter().cloned().chain(word).collect();
+        let (whole_of, left_out, map_conversion) =
+            (relations.whole_of, attributes.left_out, step.map_conversion.clone());
         let header = Header { drafts, whole_of, left_out, words, map_conversion, length_unit };
         Told::Header(Box::new(header)).write(out).map_err(|e| e.to_string())?;
     }
-    let cutter = Arc::new(Cutter::new(Meshing::new(text, index, step.angle)?, text, step.angle));
+    let cutter = Arc::new(Cutter::new(meshing, text, step.angle));
     let skipped: HashSet<u32> = task.done.iter().chain(&task.alone).copied().collect();
     let rest: Vec<u32> = with_body.into_iter().filter(|id| !skipped.contains(id)).collect();
     let mut times = (Duration::ZERO, Duration::ZERO);

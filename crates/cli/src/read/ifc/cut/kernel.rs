@@ -4,10 +4,33 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use boolmesh::prelude::{Manifold, OpType, compute_boolean};
 
+use super::clean::{enlarged, stitched};
+use super::line::dot;
 use crate::read::ifc::soup::Soup;
 
+/// How far openings are enlarged, metres: less than any wall is exact, more than the library rounds.
+pub const OUTWARDS_M: [f64; 2] = [5e-5, 2e-4];
+
+/// What is left of the host and the openings that were cut, one way after the other: openings larger by so much, each
+/// by another measure, so that no faces lie in one plane and no skins are left.
+pub fn all_ways<'a>(host: &Soup, tools: &[Soup], by: &'a [f64]) -> impl Iterator<Item = (Soup, Vec<Soup>)> + use<'a> {
+    let host = stitched(host);
+    // One without thickness cuts nothing; enlarged it would be a slit.
+    let tools: Vec<Soup> = tools.iter().filter(|tool| !is_flat(tool)).map(stitched).collect();
+    by.iter().filter_map(move |by| {
+        let larger = |(k, tool): (usize, &Soup)| enlarged(tool, by * (1.0 + 0.07 * (k % 10) as f64));
+        let larger: Vec<Soup> = tools.iter().enumerate().map(larger).collect();
+        Some((subtract(&host, &larger)?, larger))
+    })
+}
+
+fn is_flat(tool: &Soup) -> bool {
+    let area: f64 = (0..tool.triangles.len()).map(|t| tool.normal(t)).map(|n| dot(n, n).sqrt() / 2.0).sum();
+    tool.volume().abs() < 1e-4 * area
+}
+
 /// What is left of the host; `None` where the kernel cannot.
-pub fn subtract(host: &Soup, tools: &[Soup]) -> Option<Soup> {
+fn subtract(host: &Soup, tools: &[Soup]) -> Option<Soup> {
     let zero = *host.vertices.first()?;
     let work = || {
         let mut left = manifold(host, zero)?;

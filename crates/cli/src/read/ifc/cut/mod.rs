@@ -4,11 +4,12 @@
 //! is said.
 //!
 //! * [`grid`]: boxes cut out of boxes;
-//! * [`kernel`]: any closed solids, by another library;
+//! * [`kernel`], [`clean`]: any closed solids, by another library, and how it wants them;
 //! * [`line`]: where a line is inside a mesh;
 //! * [`judge`]: whether a cut is right;
 //! * [`turned`]: the model in another direction.
 
+mod clean;
 mod grid;
 mod judge;
 mod kernel;
@@ -57,6 +58,17 @@ impl Cutter {
     }
 
     pub fn mesh(&self, id: u32, warm: &mut Warm) -> Cut {
+        let mut cut = self.with_openings(id, warm);
+        let is_sound = cut.mended || cut.unproven.is_some() || cut.meshed.soup.triangles.is_empty();
+        if !is_sound && self.upright.is_boolean(id, warm) && cut.meshed.soup.is_open() {
+            // The library's complaint says the same in its own words.
+            cut.meshed.note = cut.meshed.note.filter(|n| !n.starts_with(super::meshing::DIFFICULT));
+            cut.unproven = Some(GAPS.into());
+        }
+        cut
+    }
+
+    fn with_openings(&self, id: u32, warm: &mut Warm) -> Cut {
         let mut cut = Cut { meshed: self.upright.mesh(id, warm), check: Duration::ZERO, unproven: None, mended: false };
         if self.upright.openings(id).is_empty() || cut.meshed.soup.triangles.is_empty() {
             return cut;
@@ -90,13 +102,21 @@ impl Cutter {
             None => (judge(host, tools, &cut.meshed.soup, LINES), None),
         };
         let off = match finding {
+            // Few lines may miss a gap.
+            Finding::Right if cut.meshed.soup.is_open() && !host.is_open() => f64::INFINITY,
             Finding::Right => return,
             Finding::Open => return cut.unproven = Some(UNJUDGED.into()),
             Finding::Wrong(off) => off,
         };
-        let is_right = |left: &Soup| judge(host, tools, left, LINES) == Finding::Right;
-        let exact = exact.filter(is_right).or_else(|| kernel::subtract(host, tools).filter(is_right));
-        match exact.or_else(|| self.again(id, is_right)) {
+        let is_right = |left: &Soup| judge(host, tools, left, LINES) == Finding::Right && !left.is_open();
+        // By the openings that it cut, a hair's breadth larger: a line that grazes a face would see much of the hair.
+        let is_its_own =
+            |(left, cut): &(Soup, Vec<Soup>)| judge(host, cut, left, LINES) == Finding::Right && !left.is_open();
+        let by_kernel = |by: &[f64]| kernel::all_ways(host, tools, by).find(is_its_own).map(|(left, _)| left);
+        let exact = exact.filter(is_right).or_else(|| by_kernel(&[0.0]));
+        // Enlarged ones last: where an opening folds flat upon itself they would cut a slit as wide as they grew.
+        let right = exact.or_else(|| self.again(id, is_right)).or_else(|| by_kernel(&kernel::OUTWARDS_M));
+        match right {
             Some(soup) => {
                 let is_gone = soup.triangles.is_empty();
                 let note = is_gone.then(|| "nothing is left of it: its openings cut it away entirely".to_owned());
@@ -136,6 +156,8 @@ impl Cutter {
 const UNJUDGED: &str = "whether its openings are cut as they are drawn cannot be told: it, or one of them, is no closed \
     solid; look at its openings before you trust them";
 
+const GAPS: &str = "its own cuts (IfcBooleanResult) left it with gaps: do not trust its shape, or repair the model";
+
 fn reaches(host: &Soup, tool: &Soup) -> bool {
     let (low, high) = common(host, tool);
     (0..3).all(|k| high[k] > low[k])
@@ -147,7 +169,11 @@ fn named(openings: &[u32]) -> String {
 }
 
 fn doubt(off: f64) -> String {
-    if off.is_finite() {
+    if off < 1e-3 {
+        "its openings could not be cut as they are drawn: skins are left in them; do not trust its openings, or repair \
+            the model"
+            .into()
+    } else if off.is_finite() {
         format!(
             "its openings could not be cut as they are drawn: {off:.3} m too much or too little on a line through \
              them; do not trust its openings, or repair the model"

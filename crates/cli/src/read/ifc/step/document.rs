@@ -25,6 +25,10 @@ impl<'a> Document<'a> {
         &self.records
     }
 
+    pub fn text(&self) -> &'a [u8] {
+        self.text
+    }
+
     pub fn find(&self, id: u64) -> Option<&Record> {
         self.records.binary_search_by_key(&id, |r| r.id).ok().map(|at| &self.records[at])
     }

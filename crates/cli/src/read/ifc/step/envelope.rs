@@ -14,7 +14,9 @@ pub fn open<'a>(bytes: &'a [u8], words: &mut Vec<String>) -> Result<Cow<'a, [u8]
     match bytes {
         [0xFF, 0xFE, rest @ ..] => Ok(Cow::Owned(trim(&utf16(rest, UTF_16LE), words)?.to_vec())),
         [0xFE, 0xFF, rest @ ..] => Ok(Cow::Owned(trim(&utf16(rest, UTF_16BE), words)?.to_vec())),
-        _ => trim(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes), words).map(Cow::Borrowed),
+        [b'I', 0, b'S', 0, ..] => Ok(Cow::Owned(trim(&utf16(bytes, UTF_16LE), words)?.to_vec())),
+        [0, b'I', 0, b'S', ..] => Ok(Cow::Owned(trim(&utf16(bytes, UTF_16BE), words)?.to_vec())),
+        _ => trim(bytes, words).map(Cow::Borrowed),
     }
 }
 
@@ -24,7 +26,11 @@ fn utf16(bytes: &[u8], encoding: &'static Encoding) -> Vec<u8> {
     encoding.decode_without_bom_handling(whole).0.into_owned().into_bytes()
 }
 
-fn trim<'a>(bytes: &'a [u8], words: &mut Vec<String>) -> Result<&'a [u8], String> {
+fn trim<'a>(mut bytes: &'a [u8], words: &mut Vec<String>) -> Result<&'a [u8], String> {
+    // Tools that put a mark before a file with a mark leave two.
+    while let Some(rest) = bytes.strip_prefix(b"\xEF\xBB\xBF") {
+        bytes = rest;
+    }
     let text = &bytes[skip_blank(bytes, 0)..];
     if !text.starts_with(BEGINNING) {
         let seen = String::from_utf8_lossy(&text[..text.len().min(24)]).into_owned();
@@ -69,7 +75,11 @@ mod tests {
         assert_eq!(opened(&around(b"\xEF\xBB\xBF /* a */ /* b */", &[0; 9000])), (Ok(file.clone()), 0));
         assert_eq!(opened(&around(b"", b"\nrubbish")), (Ok(file.clone()), 1));
         let wide: Vec<u8> = file.iter().flat_map(|&b| [b, 0]).collect();
-        assert_eq!(opened(&[b"\xFF\xFE", &wide[..]].concat()), (Ok(file), 0));
+        assert_eq!(opened(&[b"\xFF\xFE", &wide[..]].concat()), (Ok(file.clone()), 0));
+        assert_eq!(opened(&wide), (Ok(file.clone()), 0));
+        let big: Vec<u8> = file.iter().flat_map(|&b| [0, b]).collect();
+        assert_eq!(opened(&big), (Ok(file.clone()), 0));
+        assert_eq!(opened(&around(b"\xEF\xBB\xBF\xEF\xBB\xBF", b"")), (Ok(file), 0));
     }
 
     #[test]

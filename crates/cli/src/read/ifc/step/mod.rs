@@ -3,7 +3,9 @@
 //! * [`envelope`]: what stands around it; UTF-16;
 //! * [`encoding`]: names that are no UTF-8;
 //! * [`numbers`]: numbers of records beyond 32 bits;
-//! * [`profiles`], [`steel`], [`centre_line`], [`curves`], [`line`], [`parameters`]: shapes that the library lacks or reads otherwise than meant;
+//! * [`lost`]: records that would be lost without a word; [`bodies`]: which representations are a body;
+//! * [`profiles`], [`steel`], [`centre_line`], [`curves`], [`line`], [`parameters`]: shapes that the library lacks or
+//!   reads otherwise than meant;
 //! * [`dense`]: profiles that it would thin out; [`library`]: what is asked of it;
 //! * [`half_space`], [`voids`]: cuts that it makes too small, or not;
 //! * [`sweep`]: solids that it narrows at corners, or lacks;
@@ -11,6 +13,7 @@
 //! * [`units`], [`map_conversion`]: what is read of it beside the geometry;
 //! * [`record`], [`value`], [`document`]: the text, record by record.
 
+mod bodies;
 mod centre_line;
 mod curves;
 mod dense;
@@ -20,6 +23,7 @@ mod envelope;
 mod half_space;
 mod library;
 mod line;
+mod lost;
 mod map_conversion;
 mod numbers;
 mod parameters;
@@ -54,27 +58,47 @@ pub struct Step<'a> {
     pub map_conversion: Option<MapConversion>,
     /// Metres of the project's unit of length.
     pub length_unit: Option<f64>,
+    /// The project has a unit of length, whatever it is worth.
+    pub names_length: bool,
 }
 
 impl<'a> Step<'a> {
     pub fn read(bytes: &'a [u8]) -> Result<Self, String> {
         let (mut words, mut notes, mut original) = (Vec::new(), Vec::new(), HashMap::new());
         let text = encoding::readable(envelope::open(bytes, &mut words)?, &mut words);
+        let text = lost::separated(text, &mut words);
         let text = numbers::within_reach(text, &mut original)?;
         let document = Document::new(&text);
+        lost::doubled(&document, &text, &mut words);
         let mended = units::mended_angle(&document);
         let angle = mended.as_ref().map(|m| m.0);
         words.extend(mended.map(|m| m.1));
         let map_conversion = MapConversion::read(&document);
-        let length_unit = units::project_metres(&document);
-        let edits = edits(&document, &text, angle, &mut notes);
+        let (length_unit, names_length) = (units::project_metres(&document), units::names_length(&document));
+        let edits = edits(&document, &text, angle, &mut Said { notes: &mut notes, words: &mut words });
         // What was written out may be dense.
         let (may_be_dense, has_sweeps) =
             (!edits.is_empty() || dense::is_needed(&document), sweep::is_needed(&document));
         let text = if edits.is_empty() { text } else { Cow::Owned(edits.apply(&text)) };
         let text = if may_be_dense { dense::keep(text, angle) } else { text };
         let text = if has_sweeps { sweep::write_out(text, angle, &mut notes) } else { text };
-        Ok(Self { text, words, notes, original, angle, map_conversion, length_unit })
+        Ok(Self { text, words, notes, original, angle, map_conversion, length_unit, names_length })
+    }
+
+    /// The unit of length that counts, the one that is meshed with, and what is to be said where the file tells another.
+    pub fn settled_unit(&self, meshed: f64) -> (Option<f64>, Option<String>) {
+        if !self.names_length {
+            return (None, None);
+        }
+        let word = match self.length_unit {
+            Some(told) if (told / meshed - 1.0).abs() < 1e-6 => None,
+            Some(told) => Some(format!(
+                "its unit of length is {meshed} m by its name and {told} m by its factor: {meshed} m taken; repair the \
+                 unit if its sizes are wrong"
+            )),
+            None => Some(format!("its unit of length has no factor that can be: {meshed} m taken by its name")),
+        };
+        (Some(meshed), word)
     }
 
     /// A record's number in the file.
@@ -83,9 +107,37 @@ impl<'a> Step<'a> {
     }
 }
 
-fn edits(document: &Document, text: &[u8], angle: Option<f64>, notes: &mut Vec<(u64, String)>) -> Edits {
-    let mut edits = Edits::default();
-    let mut free = document.free_numbers();
+/// A record by itself.
+pub struct Described {
+    /// In capitals.
+    pub keyword: String,
+    pub references: Vec<u64>,
+    /// Its arguments, as far as they are numbers; `None` where they are no list of values.
+    pub numbers: Option<Vec<Option<f64>>>,
+}
+
+/// The record that a text begins with.
+pub fn described(text: &[u8]) -> Option<Described> {
+    let record = record::Records::new(text).next()?;
+    let mut all = Vec::new();
+    references(&text[record.arguments.clone()], 0, |_, id| all.push(id));
+    let numbers = value::values(&text[record.arguments.clone()]);
+    Some(Described {
+        keyword: String::from_utf8_lossy(&text[record.keyword.clone()]).to_ascii_uppercase(),
+        references: all,
+        numbers: numbers.map(|all| all.iter().map(value::Value::number).collect()),
+    })
+}
+
+/// What is said of records, by their numbers, and of the file.
+struct Said<'a> {
+    notes: &'a mut Vec<(u64, String)>,
+    words: &'a mut Vec<String>,
+}
+
+fn edits(document: &Document, text: &[u8], angle: Option<f64>, said: &mut Said) -> Edits {
+    let (mut edits, mut free) = (Edits::default(), document.free_numbers());
+    let Said { notes, words } = said;
     profiles::write_out(document, &mut free, &mut edits);
     centre_line::write_out(document, &mut free, &mut edits);
     steel::write_out(document, &mut free, &mut edits, notes);
@@ -93,6 +145,7 @@ fn edits(document: &Document, text: &[u8], angle: Option<f64>, notes: &mut Vec<(
     parameters::take(document, &mut free, &mut edits, notes);
     half_space::write_out(document, (text, angle), &mut free, &mut edits, notes);
     voids::write_out(document, &mut free, &mut edits);
+    bodies::choose(document, &mut edits, notes, words);
     // Legal in IFC2x3, where it is no abstract type yet; of the same three attributes.
     for record in document.all("IFCPRODUCTREPRESENTATION") {
         edits.replace(record.keyword.clone(), "IFCPRODUCTDEFINITIONSHAPE");

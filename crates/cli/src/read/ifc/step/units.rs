@@ -17,19 +17,30 @@ pub fn project_metres(document: &Document) -> Option<f64> {
     project_unit(document, "LENGTHUNIT")
 }
 
+/// Whether the project has a unit of length, be its factor what it may; one that depends on its context tells nothing.
+pub fn names_length(document: &Document) -> bool {
+    let record = unit_of(document, "LENGTHUNIT").and_then(|unit| document.find(unit));
+    record.is_some_and(|r| !document.is(r, "IFCCONTEXTDEPENDENTUNIT"))
+}
+
 fn project_unit(document: &Document, kind: &str) -> Option<f64> {
+    factor(document, unit_of(document, kind)?, 0)
+}
+
+fn unit_of(document: &Document, kind: &str) -> Option<u64> {
     let project = document.all("IFCPROJECT").next()?;
     let values = document.values(project);
     let assignment = document.values_of(values.get(8)?.reference()?, "IFCUNITASSIGNMENT")?;
     let units = assignment.first()?.list().iter().filter_map(Value::reference);
     let is_kind = |id: &u64| document.find(*id).is_some_and(|r| document.values(r).get(1).is_some_and(|v| v.is(kind)));
-    let unit = units.into_iter().find(is_kind)?;
-    factor(document, unit, 0)
+    units.into_iter().find(is_kind)
 }
 
 /// What one of a unit is in SI.
 fn factor(document: &Document, unit: u64, depth: usize) -> Option<f64> {
-    const PREFIXES: [(&str, f64); 8] = [
+    const PREFIXES: [(&str, f64); 10] = [
+        ("GIGA", 1e9),
+        ("MEGA", 1e6),
         ("MILLI", 1e-3),
         ("CENTI", 1e-2),
         ("DECI", 1e-1),
