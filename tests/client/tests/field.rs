@@ -124,11 +124,15 @@ fn bad_products_cost_themselves_alone() {
     let good = |file: &mut Step, i: i32| {
         file.product("IFCWALL", &format!("good {i}"), [10.0 * f64::from(i), 0.0, 0.0], "$,$", wall, 3.0)
     };
-    (0..100).for_each(|i| drop(good(&mut file, i)));
+    for i in 0..100 {
+        good(&mut file, i);
+    }
     file.product("IFCWALL", "impossible", [7e9, 0.0, 0.0], "$,$", wall, 3.0);
     file.hungry();
     file.endless();
-    (100..200).for_each(|i| drop(good(&mut file, i)));
+    for i in 100..200 {
+        good(&mut file, i);
+    }
     let path = scratch("bad_products.ifc");
     fs::write(&path, file.text + "ENDSEC;\nEND-ISO-10303-21;\n").unwrap();
     let db = Database::new("bad_products");

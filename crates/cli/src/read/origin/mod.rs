@@ -36,6 +36,7 @@ const SUSPICIOUS_CLOSE: f64 = 0.03;
 /// From here on a position that was told is not believed either. Trees give some per cent, and a tilting scanner whose
 /// centre moves does (OctoMap's own: 5.1 %).
 const WRONG: f64 = 0.07;
+const WRONG_CLOSE: f64 = 0.15;
 /// Returns that a scanner at zero is farther from than so many times their own extent are in another frame.
 const REMOTE: f64 = 3.0;
 /// A single thing may be scanned from some way off, metres.
@@ -61,10 +62,10 @@ pub fn judged(scan: RawScan, options: &ReadOptions) -> RawScan {
     if is_identity && is_remote(&scan.content.beams) {
         return points(scan, "its points are far from zero, where its scanner would have stood: in coordinates of their own, not the scanner's".into());
     }
-    let (share, limit) = match passing(&scan.content.beams) {
+    let (share, limit, wrong) = match passing(&scan.content.beams) {
         Passing::Echoes => return scan,
-        Passing::Shares { overall, close } if overall > SUSPICIOUS => (overall.max(close), SUSPICIOUS),
-        Passing::Shares { close, .. } => (close, SUSPICIOUS_CLOSE),
+        Passing::Shares { overall, .. } if overall > SUSPICIOUS => (overall, SUSPICIOUS, WRONG),
+        Passing::Shares { close, .. } => (close, SUSPICIOUS_CLOSE, WRONG_CLOSE),
         // What the file does not claim outright is not believed untried.
         Passing::Unknown if is_identity && scan.order != Order::Measured => {
             let why = "its points lie too far apart to tell whether a scanner stood at zero or the cloud is merged";
@@ -78,7 +79,7 @@ pub fn judged(scan: RawScan, options: &ReadOptions) -> RawScan {
         let why = format!("a merged cloud: no scanner stood at zero, {percent:.1} % {beams}");
         return points(scan, why);
     }
-    if share > WRONG {
+    if share > wrong {
         return points(scan, format!("no scanner stood at the position told: {percent:.1} % {beams}"));
     }
     let mut scan = scan;
