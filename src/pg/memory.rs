@@ -25,8 +25,8 @@ const ACCOUNTS: [Account; 3] = [Account::Other, Account::Grid, Account::Evidence
 
 /// What each account held when it was last closed.
 static HELD: [AtomicIsize; 3] = [const { AtomicIsize::new(0) }; 3];
-/// Bytes of the value that each account's calls handed to PostgreSQL last: while the next one is made, it is held by
-/// whoever asked for it.
+/// Bytes of the value that each account's calls handed to PostgreSQL last, twice: while the next one is made, whoever
+/// asked for it holds it, and a node that keeps rows (Materialize, Sort) a copy of it on its way to disk.
 static HANDED: [AtomicUsize; 3] = [const { AtomicUsize::new(0) }; 3];
 /// When the statement began in which that was.
 static STATEMENT: AtomicI64 = AtomicI64::new(0);
@@ -57,7 +57,7 @@ impl Account {
 
     /// A value of so many bytes is PostgreSQL's from now on.
     pub fn hand_over(self, bytes: usize) {
-        HANDED[self as usize].store(bytes, Relaxed);
+        HANDED[self as usize].store(2 * bytes, Relaxed);
     }
 
     fn limit(self) -> usize {

@@ -30,7 +30,11 @@ pub fn write(folder: &Path) -> Vec<PathBuf> {
     keep("seed.xyz", lines().into());
     keep(
         "intensity.xyz",
-        points().iter().map(|p| format!("{},{},{},0.5,255,0,7\n", p[0], p[1], p[2])).collect::<String>().into(),
+        points()
+            .iter()
+            .map(|p| format!("{:.4},{:.4},{:.4},0.5,255,0,7\n", p[0], p[1], p[2]))
+            .collect::<String>()
+            .into(),
     );
     keep(
         "seed.pts",
