@@ -69,7 +69,9 @@ fn leads(rows: &[Vec<String>], dialect: &Dialect, columns: usize) -> bool {
         |word: &str| if are_integers { dialect.value(word).is_some() && !is_integer(word) } else { has_fraction(word) };
     let others = || (1..columns).filter(|&c| rows.iter().any(|r| has_decimals(&r[c]))).count();
     let is_number = |word: &str| dialect.value(word).is_some_and(|v| v.is_finite() && v.fract() == 0.0);
-    rows.iter().all(|r| is_number(&r[0])) && others() >= 3
+    // A wall at x = 5.0000: a number or a row that stands still would be written 5.
+    let stands_still = rows.len() > 1 && rows.iter().all(|r| r[0] == rows[0][0]);
+    rows.iter().all(|r| is_number(&r[0])) && others() >= 3 && (are_integers || !stands_still)
 }
 
 /// Whole numbers alone, and not a place and a colour, which are six.
@@ -106,6 +108,13 @@ fn groups(row: &[String]) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_wall_across_the_first_axis_is_no_number() {
+        assert!(doubts(&["5.0000 0.12 0.51 0.3", "5.0000 0.14 0.53 0.3"]).is_none());
+        assert!(doubts(&["1.0 0.12 0.51 0.3", "7.0 0.14 0.53 0.3"]).is_some());
+        assert!(doubts(&["5 0.12 0.51 0.3", "5 0.14 0.53 0.3"]).is_some());
+    }
 
     fn doubts(lines: &[&str]) -> Option<String> {
         let dialect = Dialect::of(lines[0]).unwrap();
