@@ -6,7 +6,9 @@ use std::fs;
 use asbuilt_client_tests::{Database, project, scratch, text};
 
 /// Scans of two walls, how they are read, a word that is said, and the verdicts that are right for both.
-const PAIRS: [(&[&str], &[&str], &str, &[&str]); 4] = [
+type Pair = (&'static [&'static str], &'static [&'static str], &'static str, &'static [&'static str]);
+
+const PAIRS: [Pair; 4] = [
     (&["e57_two_stations_ok.e57"], &[], "", &["confirmed"]),
     (&["pcd_viewpoint_1.pcd", "pcd_viewpoint_2.pcd"], &[], "", &["confirmed"]),
     // Without an origin nothing is refuted.

@@ -23,8 +23,9 @@ pub enum Passing {
     Unknown,
 }
 
-/// Returns that are compared, those of a window, beams that are tried, neighbours of each.
+/// Returns of the sample, of all windows, of one window, beams that are tried, neighbours of each.
 const COMPARED: usize = 100_000;
+const OF_WINDOWS: usize = 40_000;
 const OF_WINDOW: usize = 1000;
 const TRIED: usize = 2000;
 const NEIGHBOURS: usize = 16;
@@ -101,10 +102,11 @@ fn direction(beam: &Beam) -> Option<Direction> {
 /// All returns in some windows, scattered over the sphere.
 fn windows(beams: &[Beam]) -> Vec<Direction> {
     let across = (beams.len() as f64 / OF_WINDOW as f64 / 6.0).sqrt().ceil();
-    let limit = (COMPARED as f64 / beams.len() as f64 * u64::MAX as f64) as u64;
-    let is_chosen = |b: &&Beam| b.returned && scramble(window(&b.offset, across)) < limit;
+    let part = if beams.len() <= COMPARED { 1.0 } else { OF_WINDOWS as f64 / beams.len() as f64 };
+    let limit = (part * u64::MAX as f64) as u64;
+    let is_chosen = |b: &&Beam| b.returned && scramble(window(&b.offset, across)) <= limit;
     // Where nearly everything lies in one window, it must not be everything.
-    beams.iter().filter(is_chosen).take(4 * COMPARED).filter_map(direction).collect()
+    beams.iter().filter(is_chosen).take(4 * OF_WINDOWS).filter_map(direction).collect()
 }
 
 /// The number of the window on a cube about the scanner that a direction goes through.
