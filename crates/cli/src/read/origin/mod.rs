@@ -147,9 +147,8 @@ fn points(mut scan: RawScan, why: String) -> RawScan {
 fn is_remote(beams: &[Beam]) -> bool {
     // Strays on either side do not count.
     const STRAYS: f64 = 0.02;
-    let some: Vec<Vec3> = beams.iter().filter(|b| b.returned).map(|b| b.offset).collect();
-    let every = some.len().div_ceil(MOST_COMPARED).max(1);
-    let some: Vec<Vec3> = some.into_iter().step_by(every).collect();
+    let every = beams.iter().filter(|b| b.returned).count().div_ceil(MOST_COMPARED).max(1);
+    let some: Vec<Vec3> = beams.iter().filter(|b| b.returned).step_by(every).map(|b| b.offset).collect();
     let part = |values: &mut Vec<f64>, part: f64| {
         let at = (part * (values.len() - 1) as f64).round() as usize;
         *values.select_nth_unstable_by(at, f64::total_cmp).1

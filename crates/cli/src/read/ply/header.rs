@@ -54,10 +54,14 @@ pub fn read(file: &mut impl BufRead) -> Result<(Header, u64)> {
     Ok((header, lines))
 }
 
+/// An integer of 64 bits, by any of its names.
+fn is_long(kind: &str) -> bool {
+    ["int64", "uint64", "longlong", "ulonglong", "long", "ulong"].contains(&kind)
+}
+
 /// The library knows no integers of 64 bits; read as doubles they would be nonsense.
 fn refuse_whole(kind: &str, name: &str) -> Result<()> {
-    let is_whole = kind.to_lowercase().contains("int64") || kind.to_lowercase().contains("long");
-    if is_whole && ["x", "y", "z"].contains(&name.to_lowercase().as_str()) {
+    if is_long(&kind.to_lowercase()) && ["x", "y", "z"].contains(&name.to_lowercase().as_str()) {
         bail!("its {name} is of type {kind}: write it as double");
     }
     Ok(())
@@ -65,13 +69,13 @@ fn refuse_whole(kind: &str, name: &str) -> Result<()> {
 
 /// Whether a line is one that a header can have.
 fn is_known(words: &[&str]) -> bool {
-    const TYPES: [&str; 20] = [
+    const TYPES: [&str; 16] = [
         "char", "uchar", "short", "ushort", "int", "uint", "float", "double", "int8", "uint8", "int16", "uint16",
-        "int32", "uint32", "float32", "float64", "int64", "uint64", "long", "ulong",
+        "int32", "uint32", "float32", "float64",
     ];
     let small: Vec<String> = words.iter().map(|w| w.to_lowercase()).collect();
     let small: Vec<&str> = small.iter().map(String::as_str).collect();
-    let is_type = |word: &str| TYPES.contains(&word) || ["longlong", "ulonglong"].contains(&word);
+    let is_type = |word: &str| TYPES.contains(&word) || is_long(word);
     match small[..] {
         [] | ["comment" | "obj_info", ..] | ["ply"] | ["end_header"] => true,
         ["format", "ascii" | "binary_little_endian" | "binary_big_endian", version] => version.starts_with('1'),
@@ -86,7 +90,7 @@ fn is_known(words: &[&str]) -> bool {
 fn property(words: &[&str], seen: &mut Vec<String>) -> String {
     let Some((name, types)) = words.split_last() else { return String::new() };
     let known = |word: &&str| match word.to_lowercase().as_str() {
-        "int64" | "uint64" | "longlong" | "ulonglong" | "long" | "ulong" => "double".into(),
+        long if is_long(long) => "double".into(),
         other => other.to_owned(),
     };
     let mut name = name.to_lowercase();

@@ -44,6 +44,11 @@ impl std::fmt::Display for Dialect {
 }
 
 impl Dialect {
+    /// What is known before any line: whether the user calls commas decimal marks.
+    pub fn told(are_decimal: bool) -> Self {
+        Self { comma: are_decimal.then_some(Comma::Decimal), ..Self::default() }
+    }
+
     /// The dialect of a line alone; `None` where its commas contradict one another.
     pub fn of(line: &str) -> Option<Self> {
         Self::default().learn(line)

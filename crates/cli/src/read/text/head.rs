@@ -3,7 +3,7 @@
 use anyhow::{Result, anyhow, bail};
 
 use super::columns::Width;
-use super::dialect::{Comma, Dialect, Separator, hint, is_ambiguous};
+use super::dialect::{Dialect, Separator, hint, is_ambiguous};
 use super::doubt::{doubt, ragged};
 use super::title::{self, Title, is_comment};
 use super::{Columns, Lines};
@@ -111,8 +111,7 @@ impl Head {
     fn no_points(&self, options: &ReadOptions) -> anyhow::Error {
         let Some(first) = self.titles.first() else { return anyhow!("it holds no points") };
         let wanted = options.columns.as_ref().map_or("three coordinates".into(), |c| format!("columns {c}"));
-        let comma = options.decimal_comma.then_some(Comma::Decimal);
-        let way = match hint(first, comma) {
+        let way = match hint(first, Dialect::told(options.decimal_comma).comma) {
             "" if options.columns.is_none() && self.titles.iter().any(|t| stand_later(t)) => {
                 "; where the coordinates do not stand first, say which columns hold what, e.g. --columns n,x,y,z"
             }
@@ -124,8 +123,7 @@ impl Head {
 
     /// What the sample says about separators and commas, all lines together.
     pub fn dialect(&self, options: &ReadOptions) -> Result<Dialect> {
-        let comma = options.decimal_comma.then_some(Comma::Decimal);
-        let mut dialect = Dialect { comma, ..Dialect::default() };
+        let mut dialect = Dialect::told(options.decimal_comma);
         for (number, line) in &self.rows {
             let Some(learnt) = dialect.learn(line) else {
                 bail!("line {number}: the commas of \"{}\" contradict one another", cut(line));
@@ -192,8 +190,7 @@ impl Layout {
 
 /// Whether a line can be a point: numbers where the coordinates stand.
 fn is_row(line: &str, columns: &Columns, options: &ReadOptions) -> bool {
-    let comma = options.decimal_comma.then_some(Comma::Decimal);
-    let Some(dialect) = (Dialect { comma, ..Dialect::default() }).learn(line) else { return false };
+    let Some(dialect) = Dialect::told(options.decimal_comma).learn(line) else { return false };
     let words = dialect.words(line);
     let is_number = |place: usize| words.get(place).is_some_and(|w| dialect.value(w).is_some() || is_ambiguous(w));
     columns.coordinates().is_some_and(|places| places.into_iter().all(is_number))

@@ -9,7 +9,7 @@ use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 use encoding_rs_io::DecodeReaderBytesBuilder;
 use indicatif::ProgressBar;
 
-use super::dialect::{Comma, Dialect, hint};
+use super::dialect::{Dialect, hint};
 
 /// A text file, line by line; the progress bar counts bytes.
 pub struct Lines<'a> {
@@ -42,7 +42,7 @@ impl<'a> Lines<'a> {
 
     /// Where the user says so, a comma within a number is its decimal mark.
     pub fn with_decimal_commas(mut self, are_decimal: bool) -> Self {
-        self.dialect.comma = are_decimal.then_some(Comma::Decimal);
+        self.dialect = Dialect::told(are_decimal);
         self
     }
 

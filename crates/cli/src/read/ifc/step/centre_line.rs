@@ -3,7 +3,7 @@
 
 use super::document::{Document, Edits};
 use super::line::line_of;
-use super::profiles::{Point, closed, write};
+use super::profiles::{Point, area, closed, write};
 use super::value::Value;
 
 pub fn write_out(document: &Document, free: &mut dyn Iterator<Item = u64>, edits: &mut Edits) {
@@ -53,11 +53,6 @@ fn sides(line: &[Vec<f64>], thickness: f64) -> Option<(Vec<Point>, Vec<Point>, b
     let side = |sign: f64| line.iter().zip(&offsets).map(move |(p, o)| [p[0] + sign * o[0], p[1] + sign * o[1]]);
     let is_one_way = is_closed || line.first() != line.last();
     (thickness > 0.0 && is_one_way).then(|| (side(-1.0).collect(), side(1.0).collect(), is_closed))
-}
-
-fn area(outline: &[Point]) -> f64 {
-    let n = outline.len();
-    (0..n).map(|i| (outline[i], outline[(i + 1) % n])).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>() / 2.0
 }
 
 #[cfg(test)]

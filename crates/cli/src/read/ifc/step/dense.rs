@@ -12,7 +12,7 @@ use super::line::points_of;
 use super::profiles::{CIRCLE_CORNERS, ELLIPSE_CORNERS, ellipse, placed, polyline};
 use super::record::Record;
 use super::units::project_metres;
-use super::value::{Value, references};
+use super::value::{Value, real};
 
 /// By so much: a power of two, which changes no digit.
 const LARGER: f64 = (1u64 << 20) as f64;
@@ -55,7 +55,7 @@ pub fn keep(text: Cow<'_, [u8]>, angle: Option<f64>) -> Cow<'_, [u8]> {
             if !boundaries.iter().any(|b| is_dense(b)) {
                 continue;
             }
-            let of_openings = of_openings.get_or_insert_with(|| shapes_of_openings(&document, &text));
+            let of_openings = of_openings.get_or_insert_with(|| shapes_of_openings(&document));
             let off = if of_openings.contains(&record.id) { OFF_OF_OPENINGS_M } else { OFF_M } / metres;
             let left: Vec<Boundary> = boundaries.iter().map(|b| thinned(b, off)).collect();
             write(record, &left, &mut free, &mut edits);
@@ -122,7 +122,7 @@ fn is_dense(points: &[[f64; 2]]) -> bool {
 }
 
 /// The records that openings are made of.
-fn shapes_of_openings(document: &Document, text: &[u8]) -> HashSet<u64> {
+fn shapes_of_openings(document: &Document) -> HashSet<u64> {
     const REPRESENTATION: usize = 6;
     let mut open: Vec<u64> = Vec::new();
     for keyword in ["IFCOPENINGELEMENT", "IFCOPENINGSTANDARDCASE"] {
@@ -132,7 +132,7 @@ fn shapes_of_openings(document: &Document, text: &[u8]) -> HashSet<u64> {
     let mut seen = HashSet::new();
     while let Some(id) = open.pop() {
         if let Some(record) = document.find(id).filter(|_| seen.insert(id)) {
-            references(&text[record.arguments.clone()], 0, |_, to| open.push(to));
+            open.extend(document.references_of(record));
         }
     }
     seen
@@ -174,7 +174,7 @@ fn write(record: &Record, boundaries: &[Boundary], free: &mut dyn Iterator<Item 
         [outer, holes @ ..] => format!("IFCARBITRARYPROFILEDEFWITHVOIDS(.AREA.,$,{outer},({}))", holes.join(",")),
         [] => return,
     };
-    let (id, smaller) = (record.id, format!("{:?}", 1.0 / LARGER).replace('e', "E"));
+    let (id, smaller) = (record.id, real(1.0 / LARGER));
     let text = format!(
         "#{id}=IFCDERIVEDPROFILEDEF(.AREA.,$,#{parent},#{operator},$);\n#{parent}={profile};\n\
          #{operator}=IFCCARTESIANTRANSFORMATIONOPERATOR2D($,$,#{zero},{smaller});\n\
@@ -197,7 +197,7 @@ mod tests {
         let text = kept(&format!("#1=IFCARBITRARYCLOSEDPROFILEDEF(.AREA.,$,#4);{place}"));
         assert!(text.starts_with("#1=IFCDERIVEDPROFILEDEF(.AREA.,$,#43,#44,$);"), "{text}");
         let first = format!("(({:?},{:?}))", 3.5 * LARGER, 4.0 * LARGER);
-        assert!(text.contains(&first) && text.contains(&format!("{:?}", 1.0 / LARGER).replace('e', "E")));
+        assert!(text.contains(&first) && text.contains(&real(1.0 / LARGER)));
         let with_hole = format!("#1=IFCARBITRARYPROFILEDEFWITHVOIDS(.AREA.,$,#9,(#4));{place}");
         let square = "#5=IFCCARTESIANPOINT((0.,0.));#6=IFCCARTESIANPOINT((9.,0.));#7=IFCCARTESIANPOINT((9.,9.));\
             #9=IFCPOLYLINE((#5,#6,#7,#5));";

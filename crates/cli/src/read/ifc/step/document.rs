@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::ops::Range;
 
 use super::record::{Record, Records, comment_end, string_end};
-use super::value::{Value, values};
+use super::value::{Value, references, values};
 
 /// A text and the places of its records, in order of their numbers.
 pub struct Document<'a> {
@@ -44,6 +44,13 @@ impl<'a> Document<'a> {
 
     pub fn values(&self, record: &Record) -> Vec<Value<'a>> {
         values(&self.text[record.arguments.clone()]).unwrap_or_default()
+    }
+
+    /// The numbers that a record refers to.
+    pub fn references_of(&self, record: &Record) -> Vec<u64> {
+        let mut all = Vec::new();
+        references(&self.text[record.arguments.clone()], 0, |_, id| all.push(id));
+        all
     }
 
     /// Where each argument of a record stands, comments and blanks around it included.

@@ -9,7 +9,7 @@ use super::dense::boundary;
 use super::document::{Document, Edits};
 use super::library::Library;
 use super::record::Record;
-use super::value::{Value, references};
+use super::value::{Value, real};
 
 /// Planes that lean by no more than some 65 degrees (cosine against the boundary's z) are left to the library: its
 /// depth suffices for most, and mitred walls whose cuts meet, as built at 65 degrees, are too much for its kernel when
@@ -22,15 +22,15 @@ type Vector = [f64; 3];
 
 pub fn write_out(
     document: &Document,
-    (text, angle): (&[u8], Option<f64>),
+    angle: Option<f64>,
     free: &mut dyn Iterator<Item = u64>,
     edits: &mut Edits,
     notes: &mut Vec<(u64, String)>,
 ) {
     let mut all = document.all("IFCPOLYGONALBOUNDEDHALFSPACE").filter_map(|r| Some((r, HalfSpace::read(document, r)?)));
     let Some(first) = all.by_ref().find(|(_, h)| h.is_steep()) else { return };
-    let mut library = Library::new(text, angle);
-    let mut reach = Reach::new(document, text);
+    let mut library = Library::new(document.text(), angle);
+    let mut reach = Reach::new(document);
     for (record, half) in std::iter::once(first).chain(all.filter(|(_, h)| h.is_steep())) {
         // The library's panics cost their own half space alone.
         let corners = || boundary(document, &mut library, half.boundary);
@@ -141,10 +141,6 @@ impl Frame {
     }
 }
 
-fn real(x: f64) -> String {
-    format!("{x:?}").replace('e', "E")
-}
-
 fn dot(a: Vector, b: Vector) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
@@ -161,14 +157,13 @@ fn unit(v: Vector) -> Option<Vector> {
 /// How far from the zero that may lie which a half space cuts.
 struct Reach<'a> {
     document: &'a Document<'a>,
-    text: &'a [u8],
     /// What each is taken from.
     hosts: HashMap<u64, Vec<u64>>,
     left: usize,
 }
 
 impl<'a> Reach<'a> {
-    fn new(document: &'a Document<'a>, text: &'a [u8]) -> Self {
+    fn new(document: &'a Document<'a>) -> Self {
         let mut hosts: HashMap<u64, Vec<u64>> = HashMap::new();
         for record in ["IFCBOOLEANCLIPPINGRESULT", "IFCBOOLEANRESULT"].into_iter().flat_map(|k| document.all(k)) {
             let values = document.values(record);
@@ -176,7 +171,7 @@ impl<'a> Reach<'a> {
                 hosts.entry(cutter).or_default().push(host);
             }
         }
-        Self { document, text, hosts, left: MOST_RECORDS }
+        Self { document, hosts, left: MOST_RECORDS }
     }
 
     /// The largest number of each kind of record that they are made of, added up: points, and what they are moved by.
@@ -186,13 +181,13 @@ impl<'a> Reach<'a> {
         while let Some(id) = open.pop() {
             let Some(record) = self.document.find(id).filter(|_| seen.insert(id)) else { continue };
             self.left = self.left.checked_sub(1)?;
-            references(&self.text[record.arguments.clone()], 0, |_, to| open.push(to));
+            open.extend(self.document.references_of(record));
             if self.document.is(record, "IFCREVOLVEDAREASOLID") {
                 // Its number is an angle.
                 continue;
             }
             let here = self.document.values(record).iter().map(size).fold(0.0, f64::max);
-            let kind = largest.entry(&self.text[record.keyword.clone()]).or_insert(0.0f64);
+            let kind = largest.entry(&self.document.text()[record.keyword.clone()]).or_insert(0.0f64);
             *kind = kind.max(here);
         }
         let sum: f64 = largest.iter().map(|(k, x)| if *k == b"IFCCARTESIANPOINT" { 3.0 * x } else { *x }).sum();

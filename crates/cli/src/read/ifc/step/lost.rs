@@ -57,7 +57,8 @@ fn inner(text: &[u8], record: &Record) -> Vec<(usize, bool)> {
 }
 
 /// Different records of one number: only one of them is read.
-pub fn doubled(document: &Document, text: &[u8], words: &mut Vec<String>) {
+pub fn doubled(document: &Document, words: &mut Vec<String>) {
+    let text = document.text();
     let said = |r: &Record| (text[r.keyword.clone()].to_ascii_uppercase(), &text[r.arguments.clone()]);
     let pairs = document.records().windows(2).filter(|w| w[0].id == w[1].id && said(&w[0]) != said(&w[1]));
     let mut all: Vec<String> = Vec::new();
@@ -107,7 +108,7 @@ mod tests {
     fn different_records_of_one_number_are_told() {
         let text = b"#1=A(1.);#2=B();#1=A(2.);#2=B();";
         let mut words = Vec::new();
-        doubled(&Document::new(text), text, &mut words);
+        doubled(&Document::new(text), &mut words);
         assert!(words.len() == 1 && words[0].contains("#1 (A, A)"), "{words:?}");
     }
 }

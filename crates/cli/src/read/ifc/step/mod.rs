@@ -69,13 +69,13 @@ impl<'a> Step<'a> {
         let text = lost::separated(text, &mut words);
         let text = numbers::within_reach(text, &mut original)?;
         let document = Document::new(&text);
-        lost::doubled(&document, &text, &mut words);
+        lost::doubled(&document, &mut words);
         let mended = units::mended_angle(&document);
         let angle = mended.as_ref().map(|m| m.0);
         words.extend(mended.map(|m| m.1));
         let map_conversion = MapConversion::read(&document);
         let (length_unit, names_length) = (units::project_metres(&document), units::names_length(&document));
-        let edits = edits(&document, &text, angle, &mut Said { notes: &mut notes, words: &mut words });
+        let edits = edits(&document, angle, &mut Said { notes: &mut notes, words: &mut words });
         // What was written out may be dense.
         let (may_be_dense, has_sweeps) =
             (!edits.is_empty() || dense::is_needed(&document), sweep::is_needed(&document));
@@ -135,7 +135,7 @@ struct Said<'a> {
     words: &'a mut Vec<String>,
 }
 
-fn edits(document: &Document, text: &[u8], angle: Option<f64>, said: &mut Said) -> Edits {
+fn edits(document: &Document, angle: Option<f64>, said: &mut Said) -> Edits {
     let (mut edits, mut free) = (Edits::default(), document.free_numbers());
     let Said { notes, words } = said;
     profiles::write_out(document, &mut free, &mut edits);
@@ -143,7 +143,7 @@ fn edits(document: &Document, text: &[u8], angle: Option<f64>, said: &mut Said) 
     steel::write_out(document, &mut free, &mut edits, notes);
     curves::write_out_trimmed(document, &mut free, &mut edits, notes);
     parameters::take(document, &mut free, &mut edits, notes);
-    half_space::write_out(document, (text, angle), &mut free, &mut edits, notes);
+    half_space::write_out(document, angle, &mut free, &mut edits, notes);
     voids::write_out(document, &mut free, &mut edits);
     bodies::choose(document, &mut edits, notes, words);
     // Legal in IFC2x3, where it is no abstract type yet; of the same three attributes.

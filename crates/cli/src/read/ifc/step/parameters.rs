@@ -4,7 +4,7 @@ use super::document::{Document, Edits};
 use super::line::line_of;
 use super::profiles::polyline;
 use super::record::Record;
-use super::value::Value;
+use super::value::{Value, real};
 
 /// Kind, and where directrix and start parameter stand.
 const KINDS: [(&str, usize, usize); 4] = [
@@ -143,7 +143,7 @@ impl Part {
             Self::Whole => None,
             Self::Points(points) => polyline(points.iter().map(Vec::as_slice), free),
             Self::Trimmed(basis, ends) => free.next().map(|id| {
-                let [from, to] = ends.map(|x| format!("(IFCPARAMETERVALUE({x:?}))").replace('e', "E"));
+                let [from, to] = ends.map(|x| format!("(IFCPARAMETERVALUE({}))", real(x)));
                 (id, format!("\n#{id}=IFCTRIMMEDCURVE(#{basis},{from},{to},.T.,.PARAMETER.);"))
             }),
         };

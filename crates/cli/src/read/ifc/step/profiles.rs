@@ -2,7 +2,7 @@
 
 use super::document::{Document, Edits};
 use super::record::Record;
-use super::value::Value;
+use super::value::{Value, real};
 
 /// A point of a profile, in the file's unit.
 pub type Point = [f64; 2];
@@ -119,6 +119,12 @@ pub fn closed(outline: &[Point], free: &mut dyn Iterator<Item = u64>) -> Option<
     polyline(outline.iter().chain(outline.first()).map(<[f64; 2]>::as_slice), free)
 }
 
+/// Against the clock; less than nothing with it.
+pub fn area(outline: &[Point]) -> f64 {
+    let n = outline.len();
+    (0..n).map(|i| (outline[i], outline[(i + 1) % n])).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>() / 2.0
+}
+
 /// The records of a polyline: its number, and the text of it and its points.
 pub fn polyline<'p>(
     points: impl Iterator<Item = &'p [f64]>,
@@ -128,8 +134,7 @@ pub fn polyline<'p>(
     let (mut ids, mut text) = (Vec::new(), String::new());
     for point in points {
         let id = free.next()?;
-        // The shortest text that reads back as the same number; STEP wants a point in it, and a capital E.
-        let numbers: Vec<String> = point.iter().map(|x| format!("{x:?}").replace('e', "E")).collect();
+        let numbers: Vec<String> = point.iter().copied().map(real).collect();
         text += &format!("\n#{id}=IFCCARTESIANPOINT(({}));", numbers.join(","));
         ids.push(format!("#{id}"));
     }
@@ -139,11 +144,6 @@ pub fn polyline<'p>(
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn area(outline: &[Point]) -> f64 {
-        let n = outline.len();
-        (0..n).map(|i| (outline[i], outline[(i + 1) % n])).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>() / 2.0
-    }
 
     #[test]
     fn areas_and_widths() {

@@ -3,7 +3,7 @@
 
 use super::document::{Document, Edits};
 use super::profiles::{Outline, Point, placed, rounded, write};
-use super::value::Value;
+use super::value::{Value, real};
 
 /// Of a profile's numbers, behind its kind, name and position.
 const FIRST: usize = 3;
@@ -120,19 +120,15 @@ fn equal_legs(document: &Document, edits: &mut Edits) {
         let values = document.values(record);
         if let (Some(Value::Number(depth)), Some(Value::Absent)) = (values.get(FIRST), values.get(FIRST + 1)) {
             let width = document.argument_pieces(record).swap_remove(FIRST + 1);
-            edits.replace(width, format!("{depth:?}").replace('e', "E"));
+            edits.replace(width, real(*depth));
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::profiles::area;
     use super::*;
-
-    fn area(outline: &[Point]) -> f64 {
-        let n = outline.len();
-        (0..n).map(|i| (outline[i], outline[(i + 1) % n])).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>() / 2.0
-    }
 
     /// Of a corner of radius one, taken from its square.
     const CORNER: f64 = 1.0 - std::f64::consts::FRAC_PI_4;

@@ -135,6 +135,11 @@ impl<'a> Parser<'a> {
     }
 }
 
+/// A number as text: the shortest that reads back as the same; STEP wants a point in it, and a capital E.
+pub fn real(x: f64) -> String {
+    format!("{x:?}").replace('e', "E")
+}
+
 /// Every `#number` of a text outside strings and comments: where it stands, and the number.
 pub fn references(text: &[u8], from: usize, mut each: impl FnMut(std::ops::Range<usize>, u64)) {
     let mut at = from;

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 use ifc_lite_geometry::{Point2, Profile2D};
 
+use super::super::profiles::{CIRCLE_CORNERS, ellipse};
+
 /// An area with holes, in the plane of its profile.
 #[derive(Debug, Clone)]
 pub struct Section {
@@ -13,9 +15,6 @@ pub struct Section {
     /// Against the clock.
     pub triangles: Vec<[usize; 3]>,
 }
-
-/// Corners of a circle, as the library draws it.
-const CIRCLE_CORNERS: usize = 36;
 
 impl Section {
     pub fn new(outer: &[Point2<f64>], holes: &[Vec<Point2<f64>>]) -> Option<Self> {
@@ -58,14 +57,9 @@ impl Section {
 
     /// A disk, or a ring where it has an inner radius.
     pub fn disk(radius: f64, inner: Option<f64>) -> Option<Self> {
-        let circle = |r: f64| {
-            let at = |i: usize| (std::f64::consts::TAU * i as f64 / CIRCLE_CORNERS as f64).sin_cos();
-            (0..CIRCLE_CORNERS).map(at).map(|(sin, cos)| Point2::new(r * cos, r * sin)).collect::<Vec<_>>()
-        };
-        let inner = inner.filter(|r| *r > 0.0);
-        let is_sound = radius > 0.0 && inner.is_none_or(|r| r < radius);
-        let holes: Vec<Vec<_>> = inner.map(circle).into_iter().collect();
-        if is_sound { Self::new(&circle(radius), &holes) } else { None }
+        let circle = |r: f64| Some(ellipse(&[r, r], CIRCLE_CORNERS)?.into_iter().map(Point2::from).collect::<Vec<_>>());
+        let holes: Vec<Vec<_>> = inner.and_then(circle).into_iter().collect();
+        if inner.is_none_or(|r| r < radius) { Self::new(&circle(radius)?, &holes) } else { None }
     }
 }
 

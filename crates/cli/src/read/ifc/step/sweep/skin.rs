@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use ifc_lite_geometry::{Matrix4, Point3};
 
+use super::super::value::real;
 use super::rings::Ring;
 use super::section::Section;
 
@@ -57,8 +58,7 @@ impl Skin {
         for skin in skins {
             for p in &skin.points {
                 let part = if points.is_empty() { "" } else { "," };
-                // The shortest text that reads back as the same number; STEP wants a point in it, and a capital E.
-                let [x, y, z] = [p.x, p.y, p.z].map(|x| format!("{x:?}").replace('e', "E"));
+                let [x, y, z] = [p.x, p.y, p.z].map(real);
                 let _ = write!(points, "{part}({x},{y},{z})");
             }
             for t in &skin.triangles {
