@@ -8,9 +8,8 @@ use std::f64::consts::{PI, TAU};
 
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::Beam;
-use rstar::RTree;
-use rstar::primitives::GeomWithData;
-use rustc_hash::FxHashSet;
+use kd_tree::{KdPoint, KdTree};
+use rustc_hash::{FxBuildHasher, FxHashSet};
 
 /// What the beams say of the place that they are said to come from.
 #[derive(Debug, PartialEq)]
@@ -31,6 +30,8 @@ const TRIED: usize = 2000;
 const NEIGHBOURS: usize = 16;
 /// Fewer beams tell nothing.
 const LEAST: u32 = 100;
+/// Where fewer pass among returns close together, the sample, which costs four times as much, is not asked.
+const DOUBTFUL: f64 = 0.01;
 /// A beam passes a return that is nearer than this to it, metres; where most neighbours are, it can be tried.
 const BESIDE_M: f64 = 0.1;
 /// Returns nearer to one another than this are one, metres: copies would hide the others.
@@ -42,7 +43,20 @@ const SAME_PULSE_M: f64 = 0.002;
 const OWN_PLATFORM_M: f64 = 0.3;
 
 /// A direction, and the range of the return there.
-type Direction = GeomWithData<[f64; 3], f64>;
+#[derive(Clone, Copy)]
+struct Direction {
+    unit: [f64; 3],
+    range: f64,
+}
+
+impl KdPoint for Direction {
+    type Scalar = f64;
+    type Dim = <[f64; 3] as KdPoint>::Dim;
+
+    fn at(&self, axis: usize) -> f64 {
+        self.unit[axis]
+    }
+}
 
 pub fn passing(beams: &[Beam]) -> Passing {
     if beams.len() as u64 <= u64::from(LEAST) {
@@ -51,20 +65,16 @@ pub fn passing(beams: &[Beam]) -> Passing {
     if are_echoes(beams) {
         return Passing::Echoes;
     }
-    let sample = || scattered(beams.len(), COMPARED).filter_map(|i| direction(&beams[i])).collect();
-    // Side by side: the loader has nothing else to do.
-    let (sample, windows) = std::thread::scope(|scope| {
-        let windows = scope.spawn(|| tally(thinned(windows(beams), ONE_M)));
-        (tally(thinned(sample(), COPY_M)), windows.join().unwrap_or_default())
-    });
+    let windows = tally(thinned(windows(beams), ONE_M));
+    if windows.close as usize > TRIED / 2 && windows.share_close() < DOUBTFUL {
+        return Passing::Shares { overall: 0.0, close: windows.share_close() };
+    }
+    let sample = scattered(beams.len(), COMPARED).filter_map(|i| direction(&beams[i])).collect();
+    let sample = tally(thinned(sample, COPY_M));
     if sample.close.max(windows.close) < LEAST {
         return Passing::Unknown;
     }
-    let share = |passing: u32, of: u32| if of < LEAST { 0.0 } else { f64::from(passing) / f64::from(of) };
-    Passing::Shares {
-        overall: share(sample.passing, sample.counted),
-        close: share(windows.passing_close, windows.close),
-    }
+    Passing::Shares { overall: share(sample.passing, sample.counted), close: windows.share_close() }
 }
 
 /// Beams that were tried, those of them among returns close together, and how many of either pass.
@@ -76,9 +86,19 @@ struct Tally {
     passing_close: u32,
 }
 
+impl Tally {
+    fn share_close(&self) -> f64 {
+        share(self.passing_close, self.close)
+    }
+}
+
+fn share(passing: u32, of: u32) -> f64 {
+    if of < LEAST { 0.0 } else { f64::from(passing) / f64::from(of) }
+}
+
 fn tally(some: Vec<Direction>) -> Tally {
     let tried: Vec<Direction> = scattered(some.len(), TRIED).map(|i| some[i]).collect();
-    let tree = RTree::bulk_load(some);
+    let tree = KdTree::build_by_ordered_float(some);
     let mut tally = Tally::default();
     for (passes, is_close) in tried.iter().filter_map(|beam| passes(&tree, beam)) {
         tally.counted += 1;
@@ -96,7 +116,7 @@ fn range(beam: &Beam) -> Option<f64> {
 }
 
 fn direction(beam: &Beam) -> Option<Direction> {
-    range(beam).map(|range| GeomWithData::new((beam.offset / range).into(), range))
+    range(beam).map(|range| Direction { unit: (beam.offset / range).into(), range })
 }
 
 /// All returns in some windows, scattered over the sphere.
@@ -126,8 +146,10 @@ fn scramble(n: u64) -> u64 {
 
 /// One return in a cube of that size.
 fn thinned(some: Vec<Direction>, size: f64) -> Vec<Direction> {
-    let mut seen = FxHashSet::default();
-    let cube = |d: &Direction| d.geom().map(|c| (c * d.data / size).floor() as i64);
+    let mut seen = FxHashSet::with_capacity_and_hasher(some.len(), FxBuildHasher);
+    // Twenty-one bits an axis: cubes that share a number lie kilometres apart.
+    let number = |c: f64| (c / size).floor() as i64 as u64 & 0x1f_ffff;
+    let cube = |d: &Direction| d.unit.iter().fold(0, |cube, c| cube << 21 | number(c * d.range));
     some.into_iter().filter(|d| seen.insert(cube(d))).collect()
 }
 
@@ -149,19 +171,20 @@ fn are_echoes(beams: &[Beam]) -> bool {
 
 /// Whether a beam passes between nearer returns, and whether the returns about it lie close together; `None` for the
 /// later echoes of a pulse.
-fn passes(tree: &RTree<Direction>, beam: &Direction) -> Option<(bool, bool)> {
-    let (direction, range) = (Vec3::from(*beam.geom()), beam.data);
+fn passes(tree: &KdTree<Direction>, beam: &Direction) -> Option<(bool, bool)> {
+    let (direction, range) = (Vec3::from(beam.unit), beam.range);
     let aside = if direction.z.abs() < 0.9 { Vec3::z() } else { Vec3::x() };
     let u = direction.cross(&aside).normalize();
     let v = direction.cross(&u);
     let (mut headings, mut close) = (Vec::with_capacity(NEIGHBOURS), 0);
     // The first is the beam itself.
-    for other in tree.nearest_neighbor_iter(*beam.geom()).skip(1).take(NEIGHBOURS) {
-        let offset = Vec3::from(*other.geom()) - direction;
+    for found in tree.nearests(&beam.unit, NEIGHBOURS + 1).iter().skip(1) {
+        let other = found.item;
+        let offset = Vec3::from(other.unit) - direction;
         let apart = offset.norm();
-        close += usize::from(apart * other.data.min(range) <= BESIDE_M);
-        let beside = apart * other.data;
-        if other.data >= 0.95 * range - 0.05 || beside > BESIDE_M {
+        close += usize::from(apart * other.range.min(range) <= BESIDE_M);
+        let beside = apart * other.range;
+        if other.range >= 0.95 * range - 0.05 || beside > BESIDE_M {
             continue;
         }
         if beside < SAME_PULSE_M {
