@@ -1,5 +1,6 @@
 //! `ab_evidence_agg(solid, patch, model)` and `ab_rollup_agg(evidence)`.
 
+use asbuilt_core::error::Mismatch;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::scan::Header;
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel};
@@ -60,13 +61,11 @@ impl State {
         }
         match self {
             Self::Collecting(c) if c.raw_solid != args.raw(1) && !same_solid(&c.collector, args)? => {
-                Err(Error::Mismatch { reason: "the group holds more than one solid".into() })
+                Err(Error::Mismatch(Mismatch::GroupOfSolids))
             }
-            Self::Collecting(c) if c.model != model => {
-                Err(Error::Mismatch { reason: "the group holds more than one evidence model".into() })
-            }
+            Self::Collecting(c) if c.model != model => Err(Error::Mismatch(Mismatch::GroupOfModels)),
             Self::Collecting(c) => Ok(&mut c.collector),
-            _ => Err(Error::Mismatch { reason: "patches after a merge".into() }),
+            _ => Err(Error::Mismatch(Mismatch::PatchesAfterMerge)),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! `ab_occupancy_agg(patch, grid)` and `ab_rollup_agg(occupancy)`.
 
+use asbuilt_core::error::LatticeMismatch;
 use asbuilt_core::scan::Header;
 use asbuilt_core::voxel::Occupancy;
 use asbuilt_core::{Error, Result};
@@ -16,8 +17,7 @@ impl State {
         let grid = grid_arg(args, 2)?;
         let occupancy = self.0.get_or_insert_with(|| Occupancy::new(grid));
         if *occupancy.grid() != grid {
-            let reason = format!("the group has {} and {}", occupancy.grid().to_text(), grid.to_text());
-            return Err(Error::Lattice { reason });
+            return Err(Error::Lattice(LatticeMismatch::GroupOfGrids(occupancy.grid().to_text(), grid.to_text())));
         }
         if !args.is_null(1) && occupancy.concerns(&Header::read(args.prefix(1, Header::LEN))?) {
             occupancy.absorb(args.bytes(1), &Backend)?;

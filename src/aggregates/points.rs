@@ -1,5 +1,6 @@
 //! `ab_line_agg` and `ab_plane_agg`: best fits through points.
 
+use asbuilt_core::error::Limited;
 use asbuilt_core::uncertain::{Point, Stored, fit};
 use asbuilt_core::{Error, Grow, Interrupt, Result};
 
@@ -20,7 +21,7 @@ fn check(points: &[Point]) -> Result<()> {
         return Ok(());
     }
     let (value, limit) = (points.len().to_string(), MAX_POINTS.to_string());
-    Err(Error::Limit { what: "the number of points of one fit", value, limit })
+    Err(Error::Limit { what: Limited::FitPoints, value, limit })
 }
 
 /// What `fit` makes of the points; NULL where there is none.

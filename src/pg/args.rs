@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::ffi::CStr;
 
+use asbuilt_core::error::Limited;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
@@ -105,7 +106,7 @@ impl Args {
         let bytes = self.bytes(i);
         if bytes.len() > LONGEST {
             let (value, limit) = (format!("{} bytes long", bytes.len()), format!("{LONGEST}"));
-            super::function::raise(&Error::Limit { what: "an argument of type text", value, limit }, "asbuilt");
+            super::function::raise(&Error::Limit { what: Limited::TextArgument, value, limit }, "asbuilt");
         }
         String::from_utf8_lossy(bytes).into_owned()
     }

@@ -5,6 +5,7 @@
 
 use std::sync::atomic::{AtomicI64, AtomicIsize, AtomicUsize, Ordering::Relaxed};
 
+use asbuilt_core::error::MemoryOf;
 use asbuilt_core::{Budget, Error, Result};
 
 use super::allocator;
@@ -115,18 +116,11 @@ fn check(more: usize) -> Result<()> {
 
 fn beyond(account: Account, needed: usize, limit: usize, at_ceiling: bool) -> Error {
     let what = match account {
-        Account::Grid => "the memory of voxel grids",
-        Account::Evidence => "the memory of evidence",
-        Account::Other => "the memory of asbuilt in this session",
+        Account::Grid => MemoryOf::Grids,
+        Account::Evidence => MemoryOf::Evidence,
+        Account::Other => MemoryOf::Session,
     };
-    let hint = match account {
-        _ if at_ceiling => "asbuilt.memory_ceiling is the limit, a superuser's to raise; or ask for less at a time.",
-        Account::Grid => {
-            "Aggregate tile by tile: FROM ab_tiles(box, size) t JOIN scan ON patch && t; or use larger voxels, or raise asbuilt.max_grid_memory."
-        }
-        _ => "Verify storey by storey, or with samples farther apart (spacing), or raise asbuilt.max_evidence_memory.",
-    };
-    Error::Memory { what, needed, limit, hint }
+    Error::Memory { what, needed, limit, at_ceiling }
 }
 
 /// The budget of a backend's calls; on other threads than its main one, the interrupts are not served but obeyed.

@@ -1,5 +1,6 @@
 //! `ab_grid`: core's byte form; `name=value` words as text.
 
+use asbuilt_core::error::Limited;
 use asbuilt_core::geometry::Aabb;
 use asbuilt_core::num::bytes::Reader;
 use asbuilt_core::scan::NO_RETURN_REACH_M;
@@ -72,7 +73,7 @@ sql_functions! {
         let count = [x, y, z].map(|[first, end]| end - first).iter().product::<f64>();
         if count.is_nan() || count > MOST_TILES {
             let limit = format!("{MOST_TILES:e}");
-            return Err(Error::Limit { what: "the number of tiles", value: format!("{count:e}"), limit });
+            return Err(Error::Limit { what: Limited::Tiles, value: format!("{count:e}"), limit });
         }
         let along = |[first, end]: [f64; 2]| (0..(end - first) as i64).map(move |i| first + i as f64);
         for (i, j) in along(x).flat_map(|i| along(y).map(move |j| (i, j))) {

@@ -1,5 +1,6 @@
 //! Text form of the variable-length types: a prefix with the type's name and layout, then the bytes in hexadecimal.
 
+use asbuilt_core::error::Limited;
 use asbuilt_core::num::text::{from_hex, to_hex};
 use asbuilt_core::{Error, Result};
 
@@ -20,7 +21,7 @@ pub fn hex_out(args: &Args, prefix: &str) -> Result<Ret> {
     if length > MAX_TEXT {
         let (value, limit) =
             (format!("{length} characters"), format!("{MAX_TEXT}; COPY ... (FORMAT binary) takes more"));
-        return Err(Error::Limit { what: "the text form", value, limit });
+        return Err(Error::Limit { what: Limited::TextForm, value, limit });
     }
     Ok(Ret::CString(to_hex(prefix, bytes, &Backend)?))
 }

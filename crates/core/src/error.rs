@@ -1,9 +1,10 @@
-//! What a caller can get wrong, with the value at fault and the way out.
+//! What a caller can get wrong: one variant for each cause, with the value at fault. The way out depends on where the
+//! core is used, and is told there.
 
 /// Result with this crate's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Every error of the crate. `Display` names the value; [`Error::hint`] names the way out.
+/// Every error of the crate. `Display` names the value at fault.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
     /// An argument outside its range.
@@ -81,7 +82,7 @@ pub enum Error {
     #[error("{what} is {value}; the most is {limit}")]
     Limit {
         /// What is too large.
-        what: &'static str,
+        what: Limited,
         /// How large it is.
         value: String,
         /// How large it may be.
@@ -107,28 +108,22 @@ pub enum Error {
         reason: String,
     },
     /// Evidence values that cannot be added up.
-    #[error("the evidence values do not belong together: {reason}")]
-    Mismatch {
-        /// What differs.
-        reason: String,
-    },
+    #[error("the evidence values do not belong together: {0}")]
+    Mismatch(Mismatch),
     /// Voxels that are not the same voxels, or were not gathered by the same rules.
-    #[error("the grids do not belong together: {reason}")]
-    Lattice {
-        /// What differs.
-        reason: String,
-    },
+    #[error("the grids do not belong together: {0}")]
+    Lattice(LatticeMismatch),
     /// More memory than a setting allows.
     #[error("{what} would take {} MB; the most is {} MB", needed.div_ceil(1 << 20), limit >> 20)]
     Memory {
         /// Whose memory.
-        what: &'static str,
+        what: MemoryOf,
         /// Bytes that there would be.
         needed: usize,
         /// Bytes that there may be.
         limit: usize,
-        /// What to change.
-        hint: &'static str,
+        /// Whether the limit is the one on everything together.
+        at_ceiling: bool,
     },
     /// More memory than the system has to give.
     #[error("out of memory: the system has no {} MB more", bytes.div_ceil(1 << 20))]
@@ -142,63 +137,6 @@ pub enum Error {
 }
 
 impl Error {
-    /// The way out, where there is one to name.
-    pub fn hint(&self) -> Option<String> {
-        Some(match self {
-            Self::TriangleIndex { vertices, .. } => {
-                format!("Vertex indices count from 0; the last one here is {}.", vertices.saturating_sub(1))
-            }
-            Self::OpenSurface => {
-                "Ask ab_closedness(solid) first; area, box and verdicts work on open surfaces too.".into()
-            }
-            Self::Version { .. } | Self::Section { .. } => {
-                "Install the newer release: ALTER EXTENSION asbuilt UPDATE.".into()
-            }
-            Self::Covariance { .. } => {
-                "A covariance is symmetric and has no negative eigenvalue; repair it, or give sd for a diagonal one."
-                    .into()
-            }
-            Self::TotalConflict => {
-                "Discount the sources by their reliability (a mass below 1) before they are combined.".into()
-            }
-            Self::Mismatch { reason } if reason.contains("group") => {
-                "GROUP BY the object, so that every group holds one solid and one model.".into()
-            }
-            Self::Mismatch { .. } => {
-                "Roll up only evidence of the same solid, made with the same ab_evidence_model().".into()
-            }
-            Self::Lattice { reason } if reason.contains("share voxels") => {
-                "Cut them first: ab_clip(change, tile).".into()
-            }
-            Self::Lattice { reason } if reason.contains("settings") => {
-                "Compare all tiles with the same threshold and tolerance.".into()
-            }
-            Self::Lattice { reason } if reason.contains("cuts voxels") => {
-                "Give the tile borders that are multiples of the larger voxel.".into()
-            }
-            Self::Lattice { reason } if reason.contains("drawn model") => {
-                "Models add up to models and epochs to epochs; ab_change(model, epoch) compares them.".into()
-            }
-            Self::Lattice { .. } => {
-                "Aggregate both with the same ab_grid(); ab_downsample(occupancy) doubles the voxels of the finer one."
-                    .into()
-            }
-            Self::Limit { what, .. } if what.contains("offset") => {
-                "Use a coarser quantum, or give coordinates nearer the scanner.".into()
-            }
-            Self::Memory { hint, .. } => (*hint).into(),
-            Self::OutOfMemory { .. } => "Give it fewer rows at a time, or the server more memory.".into(),
-            Self::Limit { what, .. } if what.contains("union") => {
-                "Join fewer patches; ab_retile(patches) cuts many into tiles of neighbours.".into()
-            }
-            Self::Limit { what, .. } if what.contains("cone") || what.contains("beams") => {
-                "Cut the beams into angular tiles first, as `asbuilt load` does.".into()
-            }
-            Self::Corrupted { .. } => "Restore the value from a backup or load the scan again.".into(),
-            _ => return None,
-        })
-    }
-
     /// An [`Error::Argument`].
     pub fn argument(what: &'static str, expected: &'static str, value: impl ToString) -> Self {
         let value = value.to_string();
@@ -228,4 +166,122 @@ impl Error {
     pub fn corrupted(ty: &'static str, reason: impl Into<String>) -> Self {
         Self::Corrupted { ty, reason: reason.into() }
     }
+}
+
+/// What is too large.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum Limited {
+    /// The bytes of one value.
+    #[error("the stored form of a value")]
+    StoredForm,
+    /// The characters of one value.
+    #[error("the text form")]
+    TextForm,
+    /// The bytes of a text that a caller gave.
+    #[error("an argument of type text")]
+    TextArgument,
+    /// Vertices or triangles of a solid.
+    #[error("the number of vertices or triangles")]
+    Triangles,
+    /// Beams of one patch.
+    #[error("the number of beams of a patch")]
+    PatchBeams,
+    /// The angle that the beams of one patch fill.
+    #[error("the half-angle of the patch's cone")]
+    ConeAngle,
+    /// Distance of a return from its patch's origin.
+    #[error("the offset of a point from its origin")]
+    Offset,
+    /// Beams of patches that are joined.
+    #[error("the number of beams of a union")]
+    UnionBeams,
+    /// Returns that are packed together.
+    #[error("the number of returns of one group")]
+    GroupReturns,
+    /// Points that one plane or line is fitted to.
+    #[error("the number of points of one fit")]
+    FitPoints,
+    /// Samples times stations.
+    #[error("the evidence about one solid")]
+    Evidence,
+    /// Distance from the lattice's origin.
+    #[error("a coordinate in voxels")]
+    VoxelIndex,
+    /// Voxels of a slice.
+    #[error("the slice")]
+    Slice,
+    /// Tiles that an area is cut into.
+    #[error("the number of tiles")]
+    Tiles,
+}
+
+/// Why evidence values cannot be added up.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Mismatch {
+    /// Their samples lie on different solids.
+    #[error("they are about different solids")]
+    Solids,
+    /// Their parameters differ: names and values of both.
+    #[error("they were made with {0}")]
+    Models(String),
+    /// Their samples lie in different places of the same solid.
+    #[error("their samples differ")]
+    Samples,
+    /// Rows that are aggregated together name several solids.
+    #[error("the group holds more than one solid")]
+    GroupOfSolids,
+    /// Rows that are aggregated together name several models.
+    #[error("the group holds more than one evidence model")]
+    GroupOfModels,
+    /// Evidence that is merged takes no more patches.
+    #[error("patches after a merge")]
+    PatchesAfterMerge,
+}
+
+/// Why grids of voxels do not belong together.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum LatticeMismatch {
+    /// Their voxels differ in size, metres.
+    #[error("voxels of {0} m and of {1} m")]
+    VoxelSize(f64, f64),
+    /// They were gathered by different rules; both in words.
+    #[error("{0} and {1}")]
+    Rules(String, String),
+    /// Rows that are aggregated together name several grids; both as text.
+    #[error("the group has {0} and {1}")]
+    GroupOfGrids(String, String),
+    /// Changes that were compared differently.
+    #[error("they were compared with different settings")]
+    ChangeSettings,
+    /// Changes of tiles that overlap.
+    #[error("their tiles share voxels")]
+    SharedVoxels,
+    /// The tile's border lies within voxels of this size, metres.
+    #[error("the tile {tile} cuts voxels of {voxel} m")]
+    CutVoxels {
+        /// The tile's box as text.
+        tile: String,
+        /// The voxels' size, metres.
+        voxel: f64,
+    },
+    /// One was drawn, the other seen.
+    #[error("one is a drawn model, the other what beams saw")]
+    DrawnAndSeen,
+    /// Tiles of a drawn model that do not touch; both boxes as text.
+    #[error("the tiles of a drawn model, {0} and {1}, leave a gap")]
+    TilesApart(String, String),
+}
+
+/// Whose memory is limited.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum MemoryOf {
+    /// Voxels.
+    #[error("the memory of voxel grids")]
+    Grids,
+    /// Samples and their sums.
+    #[error("the memory of evidence")]
+    Evidence,
+    /// All together.
+    #[error("the memory of asbuilt in this session")]
+    Session,
 }

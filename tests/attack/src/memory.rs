@@ -190,7 +190,7 @@ pub fn run(report: &mut Report, short: bool, seconds: f64) {
 fn one(s: &mut Session, (name, _, sql): &(&str, bool, &str)) {
     let began = std::time::Instant::now();
     let answer = s.query(name, sql, &[]);
-    if std::env::var("ATTACK_SHOW").is_ok_and(|c| c == "times") {
+    if shows_times() {
         println!("{:>6.2} s {name}: {:?}", began.elapsed().as_secs_f64(), answer.as_ref().map(|r| r.len()));
     }
     match answer {
@@ -210,6 +210,11 @@ fn one(s: &mut Session, (name, _, sql): &(&str, bool, &str)) {
     if !s.others_live() {
         s.report.finding(Kind::Crash, &format!("{name}, others"), sql, "another session does not answer");
     }
+}
+
+/// Whether the calls are to be printed one by one.
+fn shows_times() -> bool {
+    std::env::var("ATTACK_SHOW").is_ok_and(|c| c == "times")
 }
 
 /// A field of hundreds of megabytes in binary COPY, for every type, its first byte that of a layout that may be.
@@ -243,6 +248,9 @@ fn measured(s: &mut Session, catalogue: &Catalogue, (name, _, sql): &(&str, bool
     let key = format!("{name} within limits");
     let result = s.query(&key, sql, &[]);
     let Some(peak) = private_peak_mb(pid) else { return };
+    if shows_times() {
+        println!("{peak:>6} MB with limits of {limit_mb} MB {name}: {:?}", result.as_ref().map(|r| r.len()));
+    }
     let most = limit_mb * 11 / 10 + 64;
     if result != Err(Fault::Lost) && peak > most {
         let detail = format!("{peak} MB with limits of {limit_mb} MB; at most {most} are promised");

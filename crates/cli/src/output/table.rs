@@ -48,11 +48,12 @@ impl Table {
         match format {
             Format::Table => self.print_aligned(&mut out, if self.rows.len() == 1 { one } else { many })?,
             Format::Csv | Format::CsvExact => {
-                writeln!(out, "{}", self.columns.join(","))?;
-                let field = |value: &Value| csv_field(value, format == Format::Csv);
+                let mut csv = csv::Writer::from_writer(out);
+                csv.write_record(&self.columns)?;
                 for row in &self.rows {
-                    writeln!(out, "{}", row.iter().map(field).collect::<Vec<_>>().join(","))?;
+                    csv.write_record(row.iter().map(|value| cell(value, format == Format::Csv)))?;
                 }
+                csv.flush()?;
             }
             Format::Json => {
                 let object = |row: &Vec<Value>| {
@@ -95,13 +96,13 @@ fn text(value: &Value) -> String {
     }
 }
 
-/// A cell; a text that begins as a formula does is guarded where asked for.
-fn csv_field(value: &Value, guarded: bool) -> String {
+/// A cell of CSV; a text that begins as a formula does is guarded where asked for.
+fn cell(value: &Value, guarded: bool) -> String {
     let mut text = text(value);
     if guarded && value.is_string() && text.starts_with(['=', '+', '-', '@', '\t', '\r']) {
         text.insert(0, '\'');
     }
-    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
+    text
 }
 
 #[cfg(test)]
@@ -114,13 +115,13 @@ mod tests {
             (Value::from("=cmd|x"), "'=cmd|x", "=cmd|x"),
             (Value::from("-1"), "'-1", "-1"),
             (Value::from("\t=1"), "'\t=1", "\t=1"),
-            (Value::from("@a,b"), "\"'@a,b\"", "\"@a,b\""),
+            (Value::from("@a,b"), "'@a,b", "@a,b"),
             (Value::from("a=b"), "a=b", "a=b"),
             (Value::from(-0.0121), "-0.0121", "-0.0121"),
             (Value::Null, "", ""),
         ] {
-            assert_eq!(csv_field(&value, true), guarded);
-            assert_eq!(csv_field(&value, false), exact);
+            assert_eq!(cell(&value, true), guarded);
+            assert_eq!(cell(&value, false), exact);
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::closedness::closedness;
 use super::weld::weld;
 use super::{Aabb, Closedness, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, Limited, Result};
 use crate::num::bytes::{Put, Reader};
 use crate::num::sections::{self, BODY, HEADER, begin, checksum, header_end, put_section};
 use crate::{Grow, Interrupt, NEVER, poll_now_and_then};
@@ -274,7 +274,7 @@ fn check(vertices: &[Vec3], triangles: &[[u32; 3]], interrupt: Interrupt) -> Res
     }
     if vertices.len().max(triangles.len()) > Solid::MAX_ELEMENTS {
         return Err(Error::Limit {
-            what: "the number of vertices or triangles",
+            what: Limited::Triangles,
             value: vertices.len().max(triangles.len()).to_string(),
             limit: Solid::MAX_ELEMENTS.to_string(),
         });

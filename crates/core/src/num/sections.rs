@@ -6,7 +6,7 @@
 //! its tag is not [`REQUIRED`], readers that do not know it pass over it; else they refuse the value.
 
 use super::bytes::{Put, Reader};
-use crate::error::{Error, Result};
+use crate::error::{Error, Limited, Result};
 use crate::{Interrupt, poll};
 
 /// Bit of the tags without which a value cannot be understood.
@@ -47,7 +47,7 @@ pub fn put_section(
     let len = out.len() - start - HEAD;
     if out.len() > MOST_STORED {
         let value = format!("{} MB", out.len() >> 20);
-        return Err(Error::Limit { what: "the stored form of a value", value, limit: "1 GB".into() });
+        return Err(Error::Limit { what: Limited::StoredForm, value, limit: "1 GB".into() });
     }
     out[start + 4..start + 8].copy_from_slice(&(len as u32).to_le_bytes());
     let checksum = checksum(&[preamble_of(out, start), &out[start..start + 8], &out[start + HEAD..]], interrupt)?;

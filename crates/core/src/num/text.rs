@@ -27,16 +27,12 @@ const PIECE: usize = 1 << 20;
 
 /// `prefix` and then the bytes in hexadecimal: the lossless text form of the variable-length types.
 pub fn to_hex(prefix: &str, bytes: &[u8], interrupt: Interrupt) -> Result<String> {
-    const DIGITS: &[u8; 16] = b"0123456789abcdef";
     room::<u8>(prefix.len() + 2 * bytes.len(), interrupt)?;
     let mut out = String::with_capacity(prefix.len() + 2 * bytes.len());
     out.push_str(prefix);
     for piece in bytes.chunks(PIECE) {
         poll(interrupt)?;
-        for &b in piece {
-            out.push(DIGITS[usize::from(b >> 4)] as char);
-            out.push(DIGITS[usize::from(b & 15)] as char);
-        }
+        out.push_str(&hex::encode(piece));
     }
     Ok(out)
 }
@@ -48,14 +44,13 @@ pub fn from_hex(ty: &'static str, prefix: &str, text: &[u8], interrupt: Interrup
     if digits.len() % 2 != 0 {
         return Err(bad());
     }
-    let nibble = |d: u8| (d as char).to_digit(16).map(|v| v as u8).ok_or_else(bad);
     let mut out = Vec::new();
     out.grow(digits.len() / 2, interrupt)?;
     for piece in digits.chunks(PIECE) {
         poll(interrupt)?;
-        for pair in piece.chunks_exact(2) {
-            out.push(nibble(pair[0])? << 4 | nibble(pair[1])?);
-        }
+        let start = out.len();
+        out.resize(start + piece.len() / 2, 0);
+        hex::decode_to_slice(piece, &mut out[start..]).map_err(|_| bad())?;
     }
     Ok(out)
 }

@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 
 use super::{Content, Header, MAX_BEAMS, Origins, Patch};
-use crate::error::{Error, Result};
+use crate::error::{Error, Limited, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::uncertain::Pose;
 use crate::{Interrupt, poll, poll_now_and_then};
@@ -106,7 +106,7 @@ fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option
         }
         if joint.len() + content.len() > most {
             let value = format!("at least {}", joint.len() + content.len());
-            return Err(Error::Limit { what: "the number of beams of a union", value, limit: most.to_string() });
+            return Err(Error::Limit { what: Limited::UnionBeams, value, limit: most.to_string() });
         }
         joint.append(content, interrupt)?;
     }

@@ -3,7 +3,7 @@
 use super::header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M, Origins};
 use super::tile::MAX_BEAMS;
 use super::{Beam, Cone, Content, bitpack, planes};
-use crate::error::{Error, Result};
+use crate::error::{Error, Limited, Result};
 use crate::geometry::{Aabb, Vec3};
 
 /// A beam without return is stored as its direction, this long: fine enough to keep the direction to 5 µrad.
@@ -82,7 +82,7 @@ pub fn check_count(n: usize) -> Result<()> {
         return Ok(());
     }
     let (value, limit) = (n.to_string(), MAX_BEAMS.to_string());
-    Err(Error::Limit { what: "the number of beams of a patch", value, limit })
+    Err(Error::Limit { what: Limited::PatchBeams, value, limit })
 }
 
 /// Fails where beams and setting are not those of a patch.
@@ -150,7 +150,7 @@ fn rounded(v: &Vec3, quantum: f64) -> Result<[i32; 3]> {
 
 fn too_far(v: &Vec3, quantum: f64) -> Error {
     Error::Limit {
-        what: "the offset of a point from its origin",
+        what: Limited::Offset,
         value: format!("{} m", v.amax()),
         limit: format!("{} m at a quantum of {quantum} m", f64::from(i32::MAX) * quantum),
     }
@@ -214,7 +214,7 @@ fn cone(beams: &[Beam]) -> Result<Cone> {
     let mut cone = Cone::around(&directions);
     if cone.half_angle > MAX_HALF_ANGLE {
         let (value, limit) = (format!("{:.2} rad", cone.half_angle), format!("{MAX_HALF_ANGLE} rad"));
-        return Err(Error::Limit { what: "the half-angle of the patch's cone", value, limit });
+        return Err(Error::Limit { what: Limited::ConeAngle, value, limit });
     }
     cone.half_angle = f64::from(round_up(cone.half_angle));
     Ok(cone)

@@ -1,7 +1,7 @@
 //! Patches from rows that come one by one: the state of SQL's `ab_scan_agg`.
 
 use super::{Beam, Content, Origins, Patch, Setting};
-use crate::error::{Error, Result};
+use crate::error::{Error, Limited, Result};
 use crate::geometry::Vec3;
 use crate::num::bytes::{Put, Reader};
 use crate::{Grow, Interrupt, poll, room};
@@ -9,7 +9,7 @@ use crate::{Grow, Interrupt, poll, room};
 /// Rows of one state: they are in memory, about 60 bytes each.
 pub const MAX_ROWS: usize = 10_000_000;
 
-const TY: &str = "the state of ab_scan_agg";
+const TY: &str = "a group of returns";
 
 /// One return.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,11 +100,11 @@ impl Gathered {
 
     fn agree(&self, station: i64, has_rays: bool) -> Result<()> {
         if self.station != station {
-            return Err(Error::argument("the station of ab_scan_agg", "the same for all rows of a group", "several"));
+            return Err(Error::argument("the station", "the same for all rows of a group", "several"));
         }
         match self.has_rays == Some(has_rays) {
             true => Ok(()),
-            false => Err(Error::argument("the origin of ab_scan_agg", "known for all rows or none", "mixed")),
+            false => Err(Error::argument("the origin", "known for all rows or none", "mixed")),
         }
     }
 
@@ -114,7 +114,7 @@ impl Gathered {
             return Ok(());
         }
         let (value, limit) = (n.to_string(), MAX_ROWS.to_string());
-        Err(Error::Limit { what: "the number of returns of one ab_scan_agg", value, limit })
+        Err(Error::Limit { what: Limited::GroupReturns, value, limit })
     }
 
     fn origins(&self) -> Origins {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::model::EvidenceModel;
 use super::sample::{BLOCK, Samples};
 use super::sums::Sums;
-use crate::error::{Error, Result};
+use crate::error::{Error, Limited, Mismatch, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::{Interrupt, poll_now_and_then};
 
@@ -166,22 +166,21 @@ impl Evidence {
         let sums = blocks * BLOCK;
         if sums > MAX_SUMS {
             let value = format!("{sums} (samples times stations)");
-            return Err(Error::Limit { what: "the evidence about one solid", value, limit: MAX_SUMS.to_string() });
+            return Err(Error::Limit { what: Limited::Evidence, value, limit: MAX_SUMS.to_string() });
         }
         Ok(())
     }
 
     /// Adds evidence about the same solid. Sums are integers: the result does not depend on order or grouping.
     pub fn merge(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
-        let mismatch = |reason: &str| Err(Error::Mismatch { reason: reason.into() });
         if self.fingerprint != other.fingerprint {
-            return mismatch("they are about different solids");
+            return Err(Error::Mismatch(Mismatch::Solids));
         }
         if self.model != other.model {
-            return mismatch(&format!("they were made with {}", self.model.difference(&other.model)));
+            return Err(Error::Mismatch(Mismatch::Models(self.model.difference(&other.model))));
         }
         if !self.samples.are_those_of(&other.samples) {
-            return mismatch("their samples differ");
+            return Err(Error::Mismatch(Mismatch::Samples));
         }
         self.samples.join_surfaces(&other.samples);
         self.knows_neighbours &= other.knows_neighbours;

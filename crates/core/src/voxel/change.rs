@@ -5,7 +5,7 @@ use super::blocks::{Around, Bits, BlockMap, in_order, slots, steps_within, voxel
 use super::class::{Class, Classes, one_sided};
 use super::grid::{Grid, Span};
 use super::occupancy::Occupancy;
-use crate::error::{Error, Result};
+use crate::error::{Error, LatticeMismatch, Result};
 use crate::{Grow, Interrupt, poll_now_and_then};
 
 /// Voxels of a tile that are occupied in at least one of two epochs, with what became of them.
@@ -111,14 +111,14 @@ impl Change {
     pub fn merge(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
         self.grid.same_lattice(&other.grid)?;
         if (self.settings, self.against_model) != (other.settings, other.against_model) {
-            return Err(Error::Lattice { reason: "they were compared with different settings".into() });
+            return Err(Error::Lattice(LatticeMismatch::ChangeSettings));
         }
         for (round, (key, theirs)) in other.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             self.blocks.grow(1, interrupt)?;
             let mine = self.blocks.entry(*key).or_default();
             if mine.any().iter().zip(theirs.any()).any(|(a, b)| a & b != 0) {
-                return Err(Error::Lattice { reason: "their tiles share voxels".into() });
+                return Err(Error::Lattice(LatticeMismatch::SharedVoxels));
             }
             for (a, b) in mine.0.iter_mut().flatten().zip(theirs.0.iter().flatten()) {
                 *a |= b;

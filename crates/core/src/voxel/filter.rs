@@ -6,7 +6,7 @@ use super::change::Change;
 use super::class::Classes;
 use super::grid::Grid;
 use super::occupancy::Occupancy;
-use crate::error::{Error, Result};
+use crate::error::{Error, LatticeMismatch, Result};
 use crate::geometry::Aabb;
 use crate::{Grow, Interrupt, poll_now_and_then};
 
@@ -87,8 +87,8 @@ impl Occupancy {
     /// A tile's border must lie on the larger lattice.
     pub fn downsampled(&self, interrupt: Interrupt) -> Result<Self> {
         if self.is_cut() {
-            let reason = format!("the tile {} cuts voxels of {} m", self.grid.tile.to_text(), 2.0 * self.grid.voxel);
-            return Err(Error::Lattice { reason });
+            let (tile, voxel) = (self.grid.tile.to_text(), 2.0 * self.grid.voxel);
+            return Err(Error::Lattice(LatticeMismatch::CutVoxels { tile, voxel }));
         }
         let grid = Grid {
             exact: self.grid.exact,

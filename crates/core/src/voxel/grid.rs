@@ -2,7 +2,7 @@
 
 use super::block::EDGE;
 use super::slab::floor;
-use crate::error::{Error, Result};
+use crate::error::{Error, LatticeMismatch, Limited, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::num::bytes::{Put, Reader};
 use crate::num::text::number;
@@ -59,8 +59,7 @@ impl Grid {
         if self.voxel == other.voxel {
             return Ok(());
         }
-        let reason = format!("voxels of {} m and of {} m", self.voxel, other.voxel);
-        Err(Error::Lattice { reason })
+        Err(Error::Lattice(LatticeMismatch::VoxelSize(self.voxel, other.voxel)))
     }
 
     /// Whether what beams say was gathered by the same rules.
@@ -70,7 +69,7 @@ impl Grid {
         if rules(self) == rules(other) {
             return Ok(());
         }
-        Err(Error::Lattice { reason: format!("{} and {}", rules(self), rules(other)) })
+        Err(Error::Lattice(LatticeMismatch::Rules(rules(self), rules(other))))
     }
 
     /// Whether the tile has a border.
@@ -148,7 +147,7 @@ impl Grid {
     fn beyond(&self, point: &Vec3) -> Error {
         let worst = point.iter().find(|c| c.is_nan()).copied().unwrap_or(point.amax());
         Error::Limit {
-            what: "a coordinate in voxels",
+            what: Limited::VoxelIndex,
             value: format!("{:e}", worst / self.voxel),
             limit: format!("{:e} (voxels of {} m)", Self::MAX_INDEX, self.voxel),
         }

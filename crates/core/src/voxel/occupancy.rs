@@ -3,7 +3,7 @@
 use super::block::{Block, State};
 use super::blocks::{Bits, BlockMap, block_of, in_order, slots, voxel_at};
 use super::grid::{Grid, Span};
-use crate::error::{Error, Result};
+use crate::error::{Error, LatticeMismatch, Result};
 use crate::geometry::Aabb;
 use crate::{Grow, Interrupt, poll_now_and_then};
 
@@ -74,11 +74,13 @@ impl Occupancy {
     pub fn merge(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
         self.grid.same_rules(&other.grid)?;
         if self.model != other.model {
-            return Err(Error::Lattice { reason: "one is a drawn model, the other what beams saw".into() });
+            return Err(Error::Lattice(LatticeMismatch::DrawnAndSeen));
         }
         if self.model && !join(&self.grid.tile, &other.grid.tile) {
-            let (a, b) = (self.grid.tile.to_text(), other.grid.tile.to_text());
-            return Err(Error::Lattice { reason: format!("the tiles of a drawn model, {a} and {b}, leave a gap") });
+            return Err(Error::Lattice(LatticeMismatch::TilesApart(
+                self.grid.tile.to_text(),
+                other.grid.tile.to_text(),
+            )));
         }
         self.grid.tile = self.grid.tile.union(&other.grid.tile);
         self.span = self.grid.span();

@@ -3,7 +3,7 @@
 use super::block::State;
 use super::blocks::{in_order, voxel_at};
 use super::occupancy::Occupancy;
-use crate::error::{Error, Result};
+use crate::error::{Error, Limited, Result};
 use crate::{Interrupt, poll_now_and_then};
 
 /// Most voxels of a picture.
@@ -35,7 +35,7 @@ impl Occupancy {
         let (columns, rows) = (u_end - u_low, v_end - v_low);
         if columns * rows > MOST_PIXELS {
             let value = format!("{columns} x {rows} voxels");
-            return Err(Error::Limit { what: "the slice", value, limit: format!("{MOST_PIXELS} voxels") });
+            return Err(Error::Limit { what: Limited::Slice, value, limit: format!("{MOST_PIXELS} voxels") });
         }
         let of_none = if self.model { 1 } else { 0 };
         let mut states = vec![of_none; (columns * rows) as usize];

@@ -8,14 +8,27 @@ use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Aabb, Closedness};
 use postgres::Transaction;
+use postgres::types::{Json, Type};
 use serde_json::{Map, Value};
 
 use super::{LoadArgs, shown, source};
 use crate::database::connect::explain;
-use crate::database::copy::{BinaryCopy, jsonb};
+use crate::database::copy;
 use crate::database::names::Names;
 use crate::output::{say, spinner};
 use crate::read::ifc;
+
+/// What is written of a product; a level of accuracy goes by its name.
+const COLUMNS: [(&str, Type); 8] = [
+    ("global_id", Type::TEXT),
+    ("ifc_class", Type::TEXT),
+    ("name", Type::TEXT),
+    ("storey", Type::TEXT),
+    ("loa", Type::TEXT),
+    ("solid", Type::BYTEA),
+    ("properties", Type::JSONB),
+    ("source", Type::TEXT),
+];
 
 pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -> Result<()> {
     let bar = spinner(&format!("meshing {}", file.display()));
@@ -28,8 +41,7 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
     if replaced > 0 {
         say!("{source}: replaces {replaced} objects loaded before from a file of that name");
     }
-    let columns = ["global_id", "ifc_class", "name", "storey", "loa", "solid", "properties", "source"];
-    let mut copy = BinaryCopy::start(tx, &names.table("building_object"), &columns)?;
+    let mut copy = copy::start(tx, &names.table("building_object"), &COLUMNS)?;
     let (mut bounds, mut open, mut seen) = (Aabb::EMPTY, Vec::new(), HashMap::new());
     let (mut meshed, mut twice) = (0, Vec::new());
     for p in &model.products {
@@ -48,19 +60,21 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
             }
         }
         let solid = solid.map(|s| s.to_bytes(NEVER)).transpose()?;
-        let text = |s: &str| s.replace('\0', "").into_bytes();
-        copy.row(&[
-            Some(&text(&p.global_id)),
-            Some(&text(&p.ifc_class)),
-            Some(&text(&p.name)),
-            p.storey.as_deref().map(text).as_deref(),
-            Some(loa.name().as_bytes()),
-            solid.as_deref(),
-            Some(&jsonb(&properties(p))),
-            Some(&text(&source)),
-        ])?;
+        let text = |s: &str| s.replace('\0', "");
+        let storey = p.storey.as_deref().map(text);
+        copy.write(&[
+            &text(&p.global_id),
+            &text(&p.ifc_class),
+            &text(&p.name),
+            &storey,
+            &loa.name(),
+            &solid,
+            &Json(properties(p)),
+            &text(&source),
+        ])
+        .map_err(explain)?;
     }
-    copy.finish()?;
+    copy.finish().map_err(explain)?;
     report(&source, &model, meshed, &open, &bounds);
     list("left out", &twice);
     Ok(())

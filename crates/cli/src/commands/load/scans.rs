@@ -6,10 +6,11 @@ use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Aabb;
 use indicatif::ProgressBar;
 use postgres::Transaction;
+use postgres::types::Type;
 
 use super::{LoadArgs, shown, source};
 use crate::database::connect::explain;
-use crate::database::copy::BinaryCopy;
+use crate::database::copy;
 use crate::database::names::Names;
 use crate::output::{count, progress, say};
 use crate::read::child::{Event, Reader, ScanHead};
@@ -58,13 +59,14 @@ impl Station<'_> {
     fn store(self, reader: &mut Reader, bar: &ProgressBar, names: &Names, tx: &mut Transaction) -> Result<Packed> {
         let (station, epoch) = (self.insert(names, tx)?, self.args.epoch);
         reader.answer(station)?;
-        let mut copy = BinaryCopy::start(tx, &names.table("scan"), &["station_id", "epoch", "patch"])?;
+        let columns = [("station_id", Type::INT8), ("epoch", Type::INT4), ("patch", Type::BYTEA)];
+        let mut copy = copy::start(tx, &names.table("scan"), &columns)?;
         loop {
             match reader.next(bar)?.context("its reader ended within a scan")? {
                 Event::Patch(patch) => {
-                    copy.row(&[Some(&station.to_be_bytes()), Some(&epoch.to_be_bytes()), Some(&patch)])?;
+                    copy.write(&[&station, &epoch, &patch]).map_err(explain)?;
                 }
-                Event::Packed(packed) => return copy.finish().map(|_| packed),
+                Event::Packed(packed) => return copy.finish().map(|_| packed).map_err(explain),
                 Event::Scan(_) => bail!("its reader sent a scan within another"),
             }
         }

@@ -3,15 +3,14 @@
 use std::borrow::Cow;
 
 use super::document::{Document, Edits};
-use super::record::{Record, comment_end, string_end};
+use super::record::{Record, Records, comment_end, string_end};
 
 /// The text with the semicolons that it lacks between two records.
 pub fn separated<'a>(text: Cow<'a, [u8]>, words: &mut Vec<String>) -> Cow<'a, [u8]> {
-    let document = Document::new(&text);
     let (mut edits, mut missing, mut swallowed) = (Edits::default(), Vec::new(), Vec::new());
     // Outside texts an equals sign stands nowhere but behind a record's number.
-    for record in document.records().iter().filter(|r| memchr::memchr(b'=', &text[r.arguments.clone()]).is_some()) {
-        for (at, is_between) in inner(&text, record) {
+    for record in Records::new(&text).filter(|r| memchr::memchr(b'=', &text[r.arguments.clone()]).is_some()) {
+        for (at, is_between) in inner(&text, &record) {
             if is_between {
                 edits.replace(at..at, ";");
                 missing.push(record.id);
