@@ -39,7 +39,7 @@ fn statistics(column: &Known) -> Option<BoxStatistics> {
     BoxStatistics::from_numbers(column.numbers.as_deref()?)
 }
 
-/// A point overlaps a solid from some distance on.
+/// A point overlaps a solid within some distance.
 fn margin(a: Option<&str>, b: Option<&str>) -> f64 {
     let pair = [a, b];
     if pair.contains(&Some("ab_point")) && pair.contains(&Some("ab_solid")) { JOIN_MARGIN_M } else { 0.0 }
