@@ -21,7 +21,7 @@ fn object<'a>(report: &'a Value, name: &str) -> &'a Value {
     objects.iter().find(|o| o["name"] == name).unwrap_or_else(|| panic!("no object {name}"))
 }
 
-/// Part of a class among the voxels of an object that both epochs saw.
+/// Share of a class among the voxels of an object that both epochs saw.
 fn share_of_seen(o: &Value, class: &str) -> f64 {
     number(o, class) / (number(o, "total") - number(o, "unknown"))
 }
@@ -39,7 +39,7 @@ fn component<'a>(report: &'a Value, class: &str, min: [f64; 3], max: [f64; 3]) -
         .unwrap_or_else(|| panic!("nothing {class} in {min:?} {max:?}"))
 }
 
-/// The demo building as drawn, and then as demo/changes.json says; always there.
+/// The demo building as drawn, and then as demo/changes.json says; always available.
 #[test]
 fn simulated_pavilion() {
     let db = Database::new("change_pavilion");
@@ -100,7 +100,7 @@ fn simulated_pavilion() {
     assert_eq!(csv.lines().count(), 14);
 }
 
-/// Wrong calls say what is wrong and what to do.
+/// Wrong calls report what is wrong and what to do.
 #[test]
 fn wrong_calls() {
     let db = Database::new("change_wrong");
@@ -195,7 +195,7 @@ fn states(client: &mut Client, voxel: f64, exact: bool) -> [f64; 2] {
     [row.get::<_, i64>(0) as f64, row.get::<_, i64>(1) as f64]
 }
 
-/// A real office against its plan: what a plan gets wrong is seen empty.
+/// A real office against its plan: where the plan is wrong, space is seen empty.
 #[test]
 fn real_room() {
     let (Some(model), Some(scans)) = (shared("real-room/model.ifc"), shared("real-room/scans.e57")) else { return };
