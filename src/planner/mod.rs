@@ -15,7 +15,7 @@ struct Boxes;
 
 impl Statistics for Boxes {
     fn of(type_name: &str, sample: &mut dyn Iterator<Item = Args>) -> Option<Vec<f64>> {
-        // A damaged value is passed over: reading it will tell, ANALYZE goes on.
+        // A damaged value is skipped: reading it will raise an error, ANALYZE goes on.
         let boxes: Vec<Aabb> = sample.filter_map(|value| box_of(type_name, &value)).collect();
         Some(BoxStatistics::of(&boxes)?.to_numbers())
     }

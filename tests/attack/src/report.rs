@@ -19,7 +19,7 @@ pub enum Kind {
     OverLimit,
     /// Rows left behind by a load that failed.
     Partial,
-    /// A value that changed on its way, an index that answers otherwise than the table.
+    /// A value that changed on its way, or an index whose answer differs from the table's.
     Wrong,
     /// Code of another role ran.
     Hijack,

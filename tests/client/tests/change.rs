@@ -162,9 +162,10 @@ FROM   (SELECT ab_occupancy_agg(patch, ab_grid(0.02)) AS g FROM scan WHERE epoch
        (SELECT ab_occupancy_agg(patch, ab_grid(0.02)) AS g FROM scan WHERE epoch = 2) new,
        LATERAL ab_summary(ab_change(old.g, new.g, $1), ab_solid(ab_box(2.9, 0.02, 0.02, 3.05, 5.42, 2.98)), 0) s";
 
-/// OctoMap's own scan: 88 206 returns. benches/octomap (OctoMap 1.9, not discretised) counts 40 568 occupied and 3 855 241
-/// free leaves at 5 cm, 23 537 and 794 069 at 10 cm. It keeps rays in single precision: some dozen voxels differ by that.
-/// Discretised, one ray a voxel, it misses 2 % of the free ones; filled between rays we find 60 % more at 5 cm.
+/// OctoMap's own scan: 88 206 returns. benches/octomap (OctoMap 1.9, not discretised) counts 40 568 occupied and 3 855
+/// 241 free leaves at 5 cm, 23 537 and 794 069 at 10 cm. It keeps rays in single precision: some dozen voxels differ by
+/// that. Discretised, with one ray per voxel, it misses 2 % of the free ones; filled between rays, asbuilt finds 60 %
+/// more at 5 cm.
 #[test]
 fn octomap_counts_the_same() {
     let Some(packed) = shared("octomap-share/scan.dat.bz2") else { return };

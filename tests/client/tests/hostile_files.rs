@@ -64,7 +64,7 @@ fn laz_cases() -> Vec<(PathBuf, &'static str)> {
         ),
         (case("chunk_variable.laz", &|b| put(b, vlr + 12, &u32::MAX.to_le_bytes())), ""),
         (case("count.laz", &|b| put(b, 107, &u32::MAX.to_le_bytes())), "promises 4294967295 points"),
-        // Records that have no room are passed over.
+        // Records that have no room are skipped.
         (case("vlrs.laz", &|b| put(b, 100, &u32::MAX.to_le_bytes())), ""),
         (case("points_far.laz", &|b| put(b, 96, &u32::MAX.to_le_bytes())), "records before points"),
         (case("points_near.laz", &|b| put(b, 96, &1u32.to_le_bytes())), "records before points"),

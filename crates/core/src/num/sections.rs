@@ -1,9 +1,10 @@
 //! Stored values as containers of tagged sections, each with a checksum of its own.
 //!
 //! Layout, little-endian: version u8, the type's letter u8, two bytes of notes whose meaning is the type's; then
-//! sections of tag u32, length u32, CRC-32 u32 and so many bytes. The checksum covers tag, length and content, that of
-//! the first section ([`HEADER`], readable from a prefix) the four bytes before it too. What a later release adds is a
-//! section: readers that do not know its tag skip it, unless the tag is [`REQUIRED`]; then they refuse the value.
+//! sections of tag u32, length u32, CRC-32 u32 and content of that length. The checksum covers tag, length and content,
+//! that of the first section ([`HEADER`], readable from a prefix) the four bytes before it too. What a later release
+//! adds is a section: readers that do not know its tag skip it, unless the tag is [`REQUIRED`]; then they refuse the
+//! value.
 
 use super::bytes::{Put, Reader};
 use crate::error::{Error, Result};

@@ -58,7 +58,7 @@ fn send(job: &Job, mut scan: RawScan, pipe: &Pipe) -> Result<()> {
     pipe.send(Kind::Packed, &packed.to_bytes()?)
 }
 
-/// Reports progress at intervals; when nobody listens any more, the parent is gone and this process ends.
+/// Reports progress at intervals; when nobody listens, the parent is gone and this process ends.
 fn tell(pipe: &Pipe, bar: &ProgressBar) {
     let (pipe, bar) = (pipe.clone(), bar.clone());
     std::thread::spawn(move || {

@@ -68,7 +68,7 @@ fn is_left_out(t: &IfcType) -> bool {
 /// some bodies.
 fn has_body(entity: &DecodedEntity, decoder: &mut EntityDecoder) -> bool {
     let Some(id) = product_shape_id(entity) else { return false };
-    // What is drawn and missing must be told, not passed over.
+    // What is drawn and missing must be reported, not skipped.
     let Ok(shape) = decoder.decode_by_id(id) else { return true };
     let ids: Vec<u32> = pds_representation_ids(&shape).collect();
     let representations: Vec<_> = ids.iter().filter_map(|&id| decoder.decode_by_id(id).ok()).collect();

@@ -208,7 +208,7 @@ impl File {
     }
 }
 
-/// A cut that cannot be judged is marked: an opening that nobody can mesh, one whose surface is open.
+/// A cut that cannot be judged is marked: an opening that cannot be meshed, or one whose surface is open.
 #[test]
 fn what_cannot_be_judged_is_marked() {
     let wall = Wall { degrees: 0.0, size: [4.0, 0.3, 3.0], openings: vec![[1.0, 1.0, 1.0, 1.0, -0.2, 0.2]] };

@@ -68,7 +68,7 @@ impl Told {
         Ok(out.flush()?)
     }
 
-    /// The next piece, of at most so many bytes; `None` where the process has ended.
+    /// The next piece, of at most this many bytes; `None` where the process has ended.
     pub fn read(from: &mut impl Read, most: u64) -> Result<Option<Self>> {
         let mut length = [0; 8];
         if from.read_exact(&mut length).is_err() {

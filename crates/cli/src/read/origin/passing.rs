@@ -149,7 +149,7 @@ fn scramble(n: u64) -> u64 {
 /// One return per cube of this size.
 fn thinned(some: Vec<Direction>, size: f64) -> Vec<Direction> {
     let mut seen = FxHashSet::with_capacity_and_hasher(some.len(), FxBuildHasher);
-    // Twenty-one bits an axis: cubes that share a number lie kilometres apart.
+    // Twenty-one bits per axis: cubes that share a number lie kilometres apart.
     let number = |c: f64| (c / size).floor() as i64 as u64 & 0x1f_ffff;
     let cube = |d: &Direction| d.unit.iter().fold(0, |cube, c| cube << 21 | number(c * d.range));
     some.into_iter().filter(|d| seen.insert(cube(d))).collect()
