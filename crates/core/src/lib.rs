@@ -13,9 +13,9 @@
 //!
 //! # Frames and units
 //!
-//! Lengths are metres, angles radians, an uncertainty is a standard deviation (σ) and a covariance holds its squares; a name
-//! that says otherwise (`_squared`, `variance`, `_cos`) means it. All frames have the axes of the world (the reference
-//! system of the model and of the registered scans) and differ only in where they begin:
+//! Lengths are metres, angles radians, an uncertainty is a standard deviation (σ) and a covariance holds its squares;
+//! a name that says otherwise (`_squared`, `variance`, `_cos`) means it. All frames have the axes of the world (the
+//! reference system of the model and of the registered scans) and differ only in where they begin:
 //!
 //! | frame | begins at | what is in it |
 //! | --- | --- | --- |
@@ -25,9 +25,9 @@
 //! | scanner-relative | where the beam starts | [`scan::Beam::offset`], directions and ranges of a [`scan::View`], the `offset` that leads to a sample, the places that beams speak of. For a tripod it is the patch-local frame; a [`scan::View`] adds image coordinates (u, v) in the plane at unit distance along its cone's axis |
 //! | voxels | the lattice's zero, or a base near the patch | numbers of voxels and of blocks: places divided by the edge of a voxel |
 //!
-//! Frames that are turned against the world's (a scanner's own, a map's) end where files are read; within a function, a fit
-//! may choose axes of its own. A deviation is a length along a unit normal, positive in front of the face: along the outward
-//! normal in results, towards the scanner in the sums of one station.
+//! Frames that are turned against the world's (a scanner's own, a map's) end where files are read; within a function,
+//! a fit may choose axes of its own. A deviation is a length along a unit normal, positive in front of the face: along
+//! the outward normal in results, towards the scanner in the sums of one station.
 //!
 //! Whatever a caller can get wrong comes back as [`Error`]; a panic is a bug.
 
