@@ -25,9 +25,10 @@
 //! | scanner-relative | where the beam starts | [`scan::Beam::offset`], directions and ranges of a [`scan::View`], the `offset` that leads to a sample, the places that beams speak of. For a tripod it is the patch-local frame; a [`scan::View`] adds image coordinates (u, v) in the plane at unit distance along its cone's axis |
 //! | voxels | the lattice's zero, or a base near the patch | numbers of voxels and of blocks: places divided by the edge of a voxel |
 //!
-//! Frames that are turned against the world's (a scanner's own, a map's) end where files are read; within a function,
-//! a fit may choose axes of its own. A deviation is a length along a unit normal, positive in front of the face: along
-//! the outward normal in results, towards the scanner in the sums of one station.
+//! Frames that are turned against the world's (a scanner's own, a map's) end where files are read; within a function, a
+//! fit may choose axes of its own. A deviation is a length along a unit normal, positive in front of the face: along
+//! the outward normal in results; in the sums of a station towards the scanner, or along the normal where the station
+//! has no single place.
 //!
 //! Whatever a caller can get wrong comes back as [`Error`]; a panic is a bug.
 
