@@ -115,7 +115,8 @@ fn of_memory(what: MemoryOf, at_ceiling: bool) -> &'static str {
     }
 }
 
-/// Whose fault bytes are that cannot be read: those of an input function are the client's, others were stored once.
+/// Whose fault unreadable bytes are: those given to an input function are the client's, others were stored by this
+/// database.
 fn seen_by(error: &Error, function: &str) -> (Error, Code) {
     let (ty, reason) = match error {
         Error::Binary { ty, reason } | Error::Corrupted { ty, reason } => (*ty, reason.clone()),
@@ -131,7 +132,7 @@ fn seen_by(error: &Error, function: &str) -> (Error, Code) {
     (error, code)
 }
 
-/// The PostgreSQL report of an error met in SQL function `function`.
+/// The PostgreSQL report of an error that occurred in SQL function `function`.
 pub fn report(error: &Error, function: &'static str) -> ErrorReport {
     let (error, code) = seen_by(error, function);
     let report = ErrorReport::new(code, error.to_string(), function);

@@ -2,7 +2,7 @@
 //!
 //! A thin SQL surface over `asbuilt-core`:
 //!
-//! * [`types`]: one SQL type a file, its input and output, constructors and accessors;
+//! * [`types`]: one SQL type per file, its input and output, constructors and accessors;
 //! * [`aggregates`]: transition, combine, serialise, final;
 //! * [`planner`]: statistics and selectivity;
 //! * [`gist`]: index support; the algorithms on boxes are core's;

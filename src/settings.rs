@@ -74,7 +74,7 @@ pub fn memory_ceiling() -> usize {
 
 static HALF_OF_THE_MACHINE: OnceLock<usize> = OnceLock::new();
 
-/// Bytes that this machine has, or that the control group may take; a terabyte where neither is told.
+/// Bytes that this machine has, or that the control group may take; a terabyte where neither is known.
 fn machine_memory() -> usize {
     let told = std::fs::read_to_string("/proc/meminfo").ok();
     let kilobytes = told.as_deref().and_then(|t| t.lines().next()?.split_whitespace().nth(1)?.parse::<usize>().ok());

@@ -24,7 +24,7 @@ enum State {
 
 struct Collecting {
     collector: Collector,
-    /// The arguments as they lay in the first row; the same bytes mean the same value.
+    /// The arguments as they were in the first row; the same bytes mean the same value.
     raw_solid: Vec<u8>,
     model: EvidenceModel,
 }
@@ -82,7 +82,7 @@ fn state(args: &Args, i: usize) -> Result<AggState<State>> {
 sql_functions! {
     on Account::Evidence;
 
-    /// transition(state, solid, patch, model): a NULL patch adds nothing, but the object is there.
+    /// transition(state, solid, patch, model): a NULL patch adds nothing, but the object has evidence.
     fn ab_evidence_accum(args) {
         let mut state = state(args, 0)?;
         if !args.is_null(1) {

@@ -47,7 +47,7 @@ fn state(args: &Args, i: usize) -> Result<AggState<State>> {
 sql_functions! {
     on Account::Grid;
 
-    /// transition(state, patch, grid): a NULL patch adds nothing; without a grid nothing is asked.
+    /// transition(state, patch, grid): a NULL patch adds nothing; a row without a grid is ignored.
     fn ab_occupancy_accum(args) {
         let mut state = state(args, 0)?;
         if !args.is_null(2) {

@@ -7,9 +7,9 @@ use asbuilt_core::{Error, Grow, Interrupt, Result};
 use crate::pg::{AggState, Args, Backend, Ret, aggregate_state, deserialised_state, sql_functions};
 use crate::types::uncertain::{ret, value};
 
-/// Points one fit takes: they are in memory, 96 bytes each.
+/// Most points of one fit: they are in memory, 96 bytes each.
 const MAX_POINTS: usize = 2_000_000;
-/// Bytes of one point between workers.
+/// Bytes of one point as exchanged between workers.
 const POINT_LEN: usize = 72;
 
 fn state(args: &Args, i: usize) -> Result<AggState<Vec<Point>>> {

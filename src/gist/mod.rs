@@ -73,11 +73,12 @@ sql_functions! {
         }))
     }
 
-    /// distance(entry, query, strategy, subtype, recheck): to the key, which holds everything below it. Boxes and solids
-    /// are as near as their keys.
+    /// distance(entry, query, strategy, subtype, recheck): to the key, which contains everything below it. Boxes and
+    /// solids are as near as their keys.
     fn ab_gist_distance(args) { nearest(args, false) }
 
-    /// The same where the operator measures to what is smaller than the key: the returns of a patch, the place of a point.
+    /// The same where the operator measures to something smaller than the key: the returns of a patch, the place of a
+    /// point.
     fn ab_gist_distance_lossy(args) { nearest(args, true) }
 
     /// union(vector, size)

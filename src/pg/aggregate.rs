@@ -12,16 +12,16 @@ pub struct AggState<T> {
     pointer: *mut Kept<T>,
 }
 
-/// PostgreSQL drops a state at its own time; what it gives back is its account's.
+/// PostgreSQL drops a state when it chooses; what that frees is credited to its account.
 #[derive(Debug)]
 struct Kept<T> {
     account: Account,
-    /// `None` once dropped. In a box of its own: that is given back on the account, too.
+    /// `None` once dropped. In a box of its own, so that freeing it is credited to the account, too.
     state: Option<Box<T>>,
 }
 
 impl<T> Kept<T> {
-    /// A new state, on the account that is open.
+    /// A new state, on the open account.
     fn new(state: T) -> Self {
         Self { account: Account::current(), state: Some(Box::new(state)) }
     }

@@ -1,8 +1,8 @@
-//! The allocator of everything that Rust code takes in a backend: it counts, and it outlives a refusal.
+//! The allocator of everything that Rust code takes in a backend: it counts, and it survives a refusal.
 //!
 //! A Rust program that finds no memory aborts, and an aborted backend takes every session with it. An allocator may
-//! neither unwind nor report (`GlobalAlloc`'s contract), so this one gives up a ballast instead, and what polls next
-//! (see [`super::memory`]) raises PostgreSQL's own error 53200.
+//! neither unwind nor report (`GlobalAlloc`'s contract), so this one gives up a ballast instead, and the next poll (see
+//! [`super::memory`]) raises PostgreSQL's own error 53200.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -14,23 +14,24 @@ static ALLOCATOR: Counting = Counting;
 
 struct Counting;
 
-/// Bytes that live, but for what each thread has not added yet.
+/// Live bytes, except for what each thread has not added yet.
 static LIVE: AtomicIsize = AtomicIsize::new(0);
 static PEAK: AtomicIsize = AtomicIsize::new(0);
 
-/// Bytes that the system had not, when the ballast was given up; 0 where it had all.
+/// Bytes that the system refused when the ballast was given up; 0 if it refused none.
 static REFUSED: AtomicUsize = AtomicUsize::new(0);
 
-/// Given up when the system has nothing else: enough for what work takes until it asks whether to go on.
+/// Given up when the system has nothing else: enough for what the work takes until it next polls.
 static BALLAST: AtomicPtr<u8> = AtomicPtr::new(null_mut());
 const BALLAST_LAYOUT: Layout = Layout::new::<[u8; 64 << 20]>();
-/// From so much on the ballast is held: a session that asks little of asbuilt carries none.
+/// The ballast is held from this many bytes on: a session that asks little of asbuilt carries none.
 const BALLAST_FROM: isize = 4 << 20;
 
-/// What is smaller is not counted: a mass or a point costs no more than before, and much of nothing is so small.
+/// Smaller pieces are not counted: a mass or a point then costs nothing extra, and hardly anything large is made of
+/// pieces this small.
 const COUNTED: usize = 64;
 
-/// A thread adds to [`LIVE`] once so much has come together.
+/// A thread adds to [`LIVE`] once this much has accumulated.
 const FLUSH: isize = 64 << 10;
 
 thread_local! {
@@ -38,13 +39,13 @@ thread_local! {
     static PENDING: Cell<isize> = const { Cell::new(0) };
 }
 
-/// Bytes that live.
+/// Live bytes.
 pub fn live() -> isize {
     flush();
     LIVE.load(Relaxed)
 }
 
-/// The most that lived since [`forget_peak`].
+/// The most live bytes since [`forget_peak`].
 pub fn peak() -> isize {
     PEAK.load(Relaxed).max(live())
 }
@@ -54,7 +55,7 @@ pub fn forget_peak() {
     PEAK.store(live(), Relaxed);
 }
 
-/// The bytes that the system refused since this was last asked; holds a new ballast then, where there is room again.
+/// The bytes that the system refused since this was last asked; takes a new ballast then, where there is room again.
 #[inline]
 pub fn take_refusal() -> Option<usize> {
     let refused = refusal()?;
@@ -74,7 +75,7 @@ pub fn refusal() -> Option<usize> {
     Some(REFUSED.load(Relaxed)).filter(|&bytes| bytes > 0)
 }
 
-/// Whether the system has so much at once.
+/// Whether the system can give this much at once.
 pub fn has_room(bytes: usize) -> bool {
     let Ok(layout) = Layout::array::<u8>(bytes.max(1)) else { return false };
     let p = unsafe { System.alloc(layout) };
@@ -84,7 +85,7 @@ pub fn has_room(bytes: usize) -> bool {
     !p.is_null()
 }
 
-/// What a piece of memory counts.
+/// How many bytes a piece of memory counts for.
 fn weight(bytes: usize) -> isize {
     if bytes < COUNTED { 0 } else { bytes as isize }
 }
@@ -128,7 +129,7 @@ fn hold_ballast() {
     }
 }
 
-/// Gives the ballast up and tries once more.
+/// Gives up the ballast and tries once more.
 #[cold]
 fn retried(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
     REFUSED.store(bytes.max(1), Relaxed);
@@ -139,7 +140,7 @@ fn retried(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
     alloc()
 }
 
-/// What `alloc` gives of so many bytes, at the second attempt if need be.
+/// What `alloc` returns, at the second attempt if need be.
 #[inline]
 fn taken(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
     let p = alloc();

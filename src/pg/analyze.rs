@@ -12,19 +12,19 @@ pub const BOX_STATISTICS: i16 = 11_820;
 
 /// Makes the numbers that are kept about a column.
 pub trait Statistics {
-    /// From the sampled values, each as argument 0, of the type named; `None` for nothing to say.
+    /// From the sampled values of the named type, each as argument 0; `None` where there is nothing to say.
     fn of(type_name: &str, sample: &mut dyn Iterator<Item = Args>) -> Option<Vec<f64>>;
 }
 
-/// What stands in the column's `extra_data` until it is analysed.
+/// What is kept in the column's `extra_data` until it is analysed.
 struct Plan {
     type_name: String,
     standard: pg_sys::AnalyzeAttrComputeStatsFunc,
     standard_data: *mut std::ffi::c_void,
 }
 
-/// typanalyze(internal): has the column in argument 0 analysed as usual, and then by `S`; how many rows are sampled
-/// follows its statistics target.
+/// typanalyze(internal): has the column in argument 0 analysed as usual, and then by `S`; its statistics target decides
+/// how many rows are sampled.
 pub fn analysed_by<S: Statistics>(args: &Args) -> Ret {
     unsafe {
         let column: *mut pg_sys::VacAttrStats = args.datum(0).cast_mut_ptr();

@@ -23,7 +23,7 @@ impl Args {
         Self { fcinfo }
     }
 
-    /// A value that no call brought, as argument 0; in the current memory context.
+    /// A value that came with no call, as argument 0; in the current memory context.
     pub(super) unsafe fn of_value(value: pg_sys::Datum) -> Self {
         unsafe {
             let size = size_of::<pg_sys::FunctionCallInfoBaseData>() + size_of::<pg_sys::NullableDatum>();
@@ -127,7 +127,7 @@ impl Args {
     }
 
     /// A variable-length value handed on: to send, or to return an argument as it came. Always a copy: PostgreSQL's
-    /// `array_send` frees what a send function returns, were it an element of the array.
+    /// `array_send` frees what a send function returns, even if it is an element of the array.
     pub fn copied(&self, i: usize) -> Ret {
         Ret::Raw(unsafe { toast::copy_of(self.varlena(i)) }.into())
     }
@@ -137,7 +137,7 @@ impl Args {
         unsafe { toast::prefix(self.varlena(i), len) }
     }
 
-    /// The value as it lies in the row, unfetched: equal bytes mean the same value.
+    /// The value as it is stored in the row, unfetched: equal bytes mean the same value.
     pub fn raw(&self, i: usize) -> &[u8] {
         unsafe {
             let v = self.varlena(i);
@@ -224,7 +224,7 @@ impl Args {
         }
     }
 
-    /// An array of one of our variable-length types; NULL elements are passed over.
+    /// An array of one of our variable-length types; NULL elements are skipped.
     pub fn bytes_array(&self, i: usize, what: &'static str) -> Result<Vec<&[u8]>> {
         unsafe { array::read_varlenas(self.datum(i), what) }
     }

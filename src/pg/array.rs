@@ -35,7 +35,7 @@ pub unsafe fn read<T: Copy>(datum: pg_sys::Datum, what: &'static str) -> Result<
     }
 }
 
-/// The elements of an array of a variable-length type aligned to four bytes, fetched; NULL elements are passed over.
+/// The elements of an array of a variable-length type aligned to four bytes, fetched; NULL elements are skipped.
 ///
 /// # Safety
 /// `datum` must be such an array, and live as long as the slices.

@@ -41,14 +41,14 @@ pub unsafe fn run(
     }
 }
 
-/// Raises an error of core's, met in the SQL function `name`.
+/// Raises an error of core's that occurred in the SQL function `name`.
 pub fn raise(error: &Error, name: &'static str) -> ! {
     crate::error::report(error, name).report(pgrx::PgLogLevel::ERROR);
     unreachable!("an ERROR report does not return")
 }
 
-/// Declares SQL-callable functions: `fn name(args) { body }`, the body an expression of `Result<Ret, Error>`. Those after
-/// `on Account::…;` take their memory on that account.
+/// Declares SQL-callable functions: `fn name(args) { body }`, the body an expression of `Result<Ret, Error>`. Functions
+/// after `on Account::…;` take their memory on that account.
 macro_rules! sql_functions {
     (on $account:expr; $($rest:tt)*) => { $crate::pg::sql_functions! { @ Some($account); $($rest)* } };
     (fn $($rest:tt)*) => { $crate::pg::sql_functions! { @ None; fn $($rest)* } };

@@ -56,8 +56,8 @@ impl Args {
         unsafe { *self.datum(i).cast_mut_ptr::<i32>() = value as i32 }
     }
 
-    /// `compress`: the entry in argument 0 with its value replaced by `key(prefix of the value)`, where the value
-    /// is a leaf's; inner entries stay as they are.
+    /// `compress`: the entry in argument 0, its value replaced by `key(prefix of the value)` if it is a leaf's; inner
+    /// entries stay as they are.
     pub fn compressed(&self, prefix: usize, key: impl FnOnce(&[u8]) -> Result<Vec<u8>>) -> Result<Ret> {
         unsafe { self.compressed_by(|value| key(super::toast::prefix(value.cast_mut_ptr(), prefix))) }
     }

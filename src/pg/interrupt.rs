@@ -10,16 +10,16 @@ unsafe extern "C-unwind" {
     fn pq_check_connection() -> bool;
 }
 
-/// The client was looked for, and is gone.
+/// The client was checked for, and is gone.
 static CLIENT_GONE: AtomicBool = AtomicBool::new(false);
 
-/// Nobody has looked yet.
+/// Nobody has checked yet.
 pub fn client_is_here() {
     CLIENT_GONE.store(false, Relaxed);
 }
 
-/// Where `client_connection_check_interval` is over, looks whether the client is there. On the main thread only; PostgreSQL's
-/// own look, which ends the session, comes when interrupts are served.
+/// When `client_connection_check_interval` has passed, checks whether the client is there. On the main thread only;
+/// PostgreSQL's own check, which ends the session, happens when interrupts are served.
 pub fn look_for_client() {
     unsafe {
         let due = std::ptr::read_volatile(&raw const pg_sys::CheckClientConnectionPending) != 0;
@@ -40,7 +40,7 @@ pub fn serve() {
     }
 }
 
-/// Whether this query is to end: read by other threads, which must not serve interrupts themselves.
+/// Whether this query should end: read by other threads, which must not serve interrupts themselves.
 pub fn is_due() -> bool {
     unsafe {
         std::ptr::read_volatile(&raw const pg_sys::QueryCancelPending) != 0

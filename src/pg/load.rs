@@ -5,13 +5,13 @@ use std::ffi::CStr;
 
 use pgrx::pg_sys;
 
-/// From now on `SET prefix.name` is an error where we know no such setting.
+/// Makes `SET prefix.name` an error where there is no such setting.
 pub fn reserve_settings(prefix: &CStr) {
     unsafe { pg_sys::MarkGUCPrefixReserved(prefix.as_ptr()) };
 }
 
-/// pgrx puts a backtrace, where the server's environment asks Rust for one, into the DETAIL that the client reads. The
-/// standard library asks the environment once; it is asked here, and told no.
+/// Where the server's environment asks Rust for a backtrace, pgrx puts it into the DETAIL that the client reads. The
+/// standard library reads the environment once; this makes it do so while the variable is off.
 pub fn capture_no_backtraces() {
     const NAME: &str = "RUST_LIB_BACKTRACE";
     let before = std::env::var_os(NAME);

@@ -1,7 +1,7 @@
 //! What a call may take: its account, the account's limit, and the error beyond it.
 //!
-//! All that lives in a backend is counted ([`super::allocator`]). A call whose memory a setting limits opens that
-//! setting's account; what is taken until it closes, and what its aggregate states give back later, is the account's.
+//! All live memory of a backend is counted ([`super::allocator`]). A call whose memory a setting limits opens that
+//! setting's account; what is taken until it closes, and what its aggregate states free later, is booked on it.
 
 use std::sync::atomic::{AtomicI64, AtomicIsize, AtomicUsize, Ordering::Relaxed};
 
@@ -26,16 +26,17 @@ const ACCOUNTS: [Account; 3] = [Account::Other, Account::Grid, Account::Evidence
 
 /// What each account held when it was last closed.
 static HELD: [AtomicIsize; 3] = [const { AtomicIsize::new(0) }; 3];
-/// Bytes of the value that each account's calls handed to PostgreSQL last, twice: while the next one is made, whoever
-/// asked for it holds it, and a node that keeps rows (Materialize, Sort) a copy of it on its way to disk.
+/// Twice the bytes of the value that each account's calls last handed to PostgreSQL: while the next one is made,
+/// whoever asked for that value holds it, and a node that keeps rows (Materialize, Sort) holds a copy of it on its way
+/// to disk.
 static HANDED: [AtomicUsize; 3] = [const { AtomicUsize::new(0) }; 3];
-/// When the statement began in which that was.
+/// When the statement began in which that happened.
 static STATEMENT: AtomicI64 = AtomicI64::new(0);
-/// The account that is open, by its place in [`ACCOUNTS`].
+/// The open account, by its place in [`ACCOUNTS`].
 static OPEN: AtomicUsize = AtomicUsize::new(0);
-/// What lived when it was opened.
+/// Live bytes when it was opened.
 static BEFORE: AtomicIsize = AtomicIsize::new(0);
-/// The open account's limit and that of all together: settings are read on the main thread alone.
+/// The open account's limit and that of all together: settings are read on the main thread only.
 static LIMIT: AtomicUsize = AtomicUsize::new(usize::MAX);
 static CEILING: AtomicUsize = AtomicUsize::new(usize::MAX);
 
@@ -46,7 +47,7 @@ pub struct Opened {
 }
 
 impl Account {
-    /// Takes what comes on this account.
+    /// Opens this account.
     pub fn open(self) -> Opened {
         Opened { before: switch(self as usize) }
     }
@@ -56,7 +57,7 @@ impl Account {
         ACCOUNTS[OPEN.load(Relaxed)]
     }
 
-    /// A value of so many bytes is PostgreSQL's from now on.
+    /// Notes that a value of this many bytes was handed to PostgreSQL.
     pub fn hand_over(self, bytes: usize) {
         HANDED[self as usize].store(2 * bytes, Relaxed);
     }
@@ -76,7 +77,7 @@ impl Drop for Opened {
     }
 }
 
-/// Settles what was taken on the open account, opens another, and tells which was open.
+/// Settles what was taken on the open account, opens another, and returns which was open.
 fn switch(to: usize) -> usize {
     let (live, open) = (allocator::live(), OPEN.load(Relaxed));
     HELD[open].fetch_add(live - BEFORE.swap(live, Relaxed), Relaxed);
@@ -89,13 +90,13 @@ fn switch(to: usize) -> usize {
     open
 }
 
-/// On the main thread: the limits as they are set now.
+/// On the main thread: reads the limits as they are currently set.
 fn read_limits() {
     CEILING.store(settings::memory_ceiling(), Relaxed);
     LIMIT.store(Account::current().limit(), Relaxed);
 }
 
-/// Bytes on the open account, and in all, with what was handed over last.
+/// Bytes on the open account, and in total, including what was handed over last.
 fn taken() -> [usize; 2] {
     let (live, open) = (allocator::live(), OPEN.load(Relaxed));
     let own = HELD[open].load(Relaxed) + live - BEFORE.load(Relaxed);
@@ -123,7 +124,7 @@ fn beyond(account: Account, needed: usize, limit: usize, at_ceiling: bool) -> Er
     Error::Memory { what, needed, limit, at_ceiling }
 }
 
-/// The budget of a backend's calls; on other threads than its main one, the interrupts are not served but obeyed.
+/// The budget of a backend's calls; on threads other than its main one, interrupts are not served but obeyed.
 #[derive(Debug, Clone, Copy)]
 pub struct Backend;
 
@@ -131,12 +132,12 @@ pub struct Backend;
 #[derive(Debug, Clone, Copy)]
 pub struct Helper;
 
-/// An error where too much was taken, or the system had nothing to give.
+/// An error where too much was taken, or the system has refused memory.
 fn poll_memory() -> Result<()> {
     allocator::refusal().map_or_else(|| check(0), |bytes| Err(Error::OutOfMemory { bytes }))
 }
 
-/// The system is asked too: what it then takes at once is not refused to code that cannot bear it.
+/// The system is asked too, so that memory is not refused later to code that cannot handle a refusal.
 fn room(bytes: usize) -> Result<()> {
     check(bytes)?;
     if allocator::has_room(bytes) { Ok(()) } else { Err(Error::OutOfMemory { bytes }) }
@@ -165,7 +166,7 @@ impl Budget for Helper {
     }
 }
 
-/// Bytes that live in this backend and the most that ever did; `from_now` begins the peak anew after it is told.
+/// Live bytes in this backend and the most there ever were; `from_now` restarts the peak after it is returned.
 pub fn memory_in_use(from_now: bool) -> [i64; 2] {
     let told = [allocator::live(), allocator::peak()].map(|bytes| bytes as i64);
     if from_now {

@@ -1,5 +1,5 @@
-//! The only place with `unsafe`: PostgreSQL's calling convention, memory, arrays, rows, queries, interrupts, threads, what is
-//! allocated, the planner's questions.
+//! The only place with `unsafe`: PostgreSQL's calling convention, memory, arrays, rows, queries, interrupts, threads,
+//! the allocator, the planner's questions.
 //!
 //! Everything outside sees safe types: [`Args`] to read arguments, [`Ret`] to return, [`Rows`] to return many.
 

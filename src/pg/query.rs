@@ -20,7 +20,7 @@ pub enum Column {
     Fixed(&'static str, usize),
 }
 
-/// A value of a row; owned, so that it may go to other threads.
+/// A value of a row; owned, so that it can be passed to other threads.
 #[derive(Debug, Clone)]
 pub enum Cell {
     /// NULL, or no such column.
@@ -49,7 +49,7 @@ pub struct Query<'a> {
     pub columns: &'a [Column],
     /// How many.
     pub optional: usize,
-    /// The columns in words, for the message when they are others.
+    /// The columns in words, for the message when the query returns others.
     pub expected: &'static str,
 }
 

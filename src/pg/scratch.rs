@@ -1,4 +1,4 @@
-//! A memory context for what is needed for one row only.
+//! A memory context for what is needed for only one row.
 
 use std::ffi::CStr;
 

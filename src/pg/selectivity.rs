@@ -1,4 +1,4 @@
-//! What a selectivity estimator is asked: an operator's arguments as the planner knows them.
+//! The input of a selectivity estimator: an operator's arguments as the planner knows them.
 
 use pgrx::pg_sys;
 use pgrx::pg_sys::ffi::pg_guard_ffi_boundary;
@@ -9,7 +9,7 @@ use super::{Args, own_type_name};
 /// What the planner knows of a column: statistics of ours, if it was analysed.
 #[derive(Debug)]
 pub struct Known {
-    /// Name of its type, if it is ours.
+    /// Name of its type, if it is one of ours.
     pub type_name: Option<String>,
     /// Share of rows that are not NULL.
     pub present: f64,
@@ -84,7 +84,7 @@ pub struct Join {
     pub left: Known,
     /// The right column.
     pub right: Known,
-    /// Of a semi or anti join, the rows that the inner side has.
+    /// For a semi or anti join, the rows of the inner side.
     pub inner_rows: Option<f64>,
 }
 
@@ -106,8 +106,8 @@ pub fn join(args: &Args) -> Join {
     }
 }
 
-/// What is known of a column, as far as the user may: like PostgreSQL's own estimators, an operator that is not
-/// leakproof is told nothing of rows that row-level security or missing rights hide.
+/// What is known about a column, as far as the user may know it: as with PostgreSQL's own estimators, an operator that
+/// is not leakproof is told nothing about rows that row-level security or missing rights hide.
 unsafe fn known(args: &Args, data: &mut pg_sys::VariableStatData) -> Known {
     unsafe {
         let rows = if data.rel.is_null() { 1.0 } else { (*data.rel).rows.max(1.0) };

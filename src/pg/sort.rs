@@ -12,11 +12,11 @@ unsafe extern "C-unwind" {
 
 /// The number that a fixed-length key of `N` bytes is sorted by.
 pub trait Place<const N: usize> {
-    /// Its place.
+    /// The value's number.
     fn of(key: &[u8; N]) -> u64;
 }
 
-/// sortsupport(internal): keys are compared by their places, which are kept beside them where the sort can.
+/// sortsupport(internal): keys are compared by these numbers, which are kept beside them where the sort allows.
 pub fn sorted_by<P: Place<N>, const N: usize>(args: &Args) -> Ret {
     unsafe {
         let support = &mut *args.datum(0).cast_mut_ptr::<pg_sys::SortSupportData>();

@@ -1,7 +1,7 @@
 //! Threads beside PostgreSQL's own.
 //!
-//! A backend is a process of one thread. Others may compute in it as long as they call nothing of PostgreSQL's and no
-//! signal is delivered to them: its handlers belong on the main thread.
+//! A backend is a process of one thread. Other threads may compute in it as long as they call no PostgreSQL function
+//! and no signal is delivered to them: its handlers belong on the main thread.
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use super::interrupt::{client_is_here, look_for_client, serve};
 use super::memory::{Backend, Helper};
 
 thread_local! {
-    /// The backend's pool, asleep between calls: made anew for every call, pools leave memory behind.
+    /// The backend's pool, asleep between calls: pools made for every call would leave memory behind.
     static POOL: RefCell<Option<Arc<rayon::ThreadPool>>> = const { RefCell::new(None) };
 }
 
@@ -36,12 +36,12 @@ impl Crew {
         Self { pool: (count > 1).then(|| pool_of(count)).flatten() }
     }
 
-    /// What [`asbuilt_core::verify::Verifier`] is to be told.
+    /// What to tell [`asbuilt_core::verify::Verifier`].
     pub fn threads(&self) -> Threads {
         if self.pool.is_some() { Threads::Pool } else { Threads::Own }
     }
 
-    /// Runs `work` on the crew. It is given what to ask whether to stop; a cancel then raises its error from here.
+    /// Runs `work` on the crew, with an interrupt to ask whether to stop; a cancel then raises its error from here.
     pub fn run<T: Send>(&self, work: impl FnOnce(asbuilt_core::Interrupt) -> Result<T> + Send) -> Result<T> {
         let Some(pool) = &self.pool else { return work(&Backend) };
         client_is_here();
@@ -65,10 +65,11 @@ impl Crew {
     }
 }
 
-/// While others work, the main thread looks this often whether the client is still there, where PostgreSQL wants to know.
+/// While others work, the main thread checks this often whether the client is still there, if PostgreSQL is set to
+/// check.
 const LOOK: Duration = Duration::from_millis(100);
 
-/// The backend's pool with this many threads. Where the system has none to give, the work is done without.
+/// The backend's pool with this many threads; `None` where the system has none to give: the work is then done without.
 fn pool_of(count: usize) -> Option<Arc<rayon::ThreadPool>> {
     POOL.with_borrow_mut(|pool| {
         if pool.as_ref().is_none_or(|p| p.current_num_threads() != count) {
@@ -79,7 +80,7 @@ fn pool_of(count: usize) -> Option<Arc<rayon::ThreadPool>> {
     })
 }
 
-/// Threads that start meanwhile inherit the mask: no signal is ever delivered to them.
+/// Threads that start in the meantime inherit the mask: no signal is ever delivered to them.
 fn with_signals_blocked<T>(start: impl FnOnce() -> T) -> T {
     unsafe {
         let mut all = std::mem::zeroed();

@@ -22,7 +22,7 @@ pub unsafe fn fetch(v: *mut pg_sys::varlena) -> *mut pg_sys::varlena {
     }
 }
 
-/// A value of one's own, with a header of four bytes.
+/// A copy of the value, with a header of four bytes.
 ///
 /// # Safety
 /// `v` must point to a variable-length value.

@@ -15,7 +15,7 @@ struct Boxes;
 
 impl Statistics for Boxes {
     fn of(type_name: &str, sample: &mut dyn Iterator<Item = Args>) -> Option<Vec<f64>> {
-        // A damaged value is passed over: reading it will tell, ANALYZE goes on.
+        // A damaged value is skipped: reading it will raise an error, ANALYZE goes on.
         let boxes: Vec<Aabb> = sample.filter_map(|value| box_of(type_name, &value)).collect();
         Some(BoxStatistics::of(&boxes)?.to_numbers())
     }
@@ -39,7 +39,7 @@ fn statistics(column: &Known) -> Option<BoxStatistics> {
     BoxStatistics::from_numbers(column.numbers.as_deref()?)
 }
 
-/// A point overlaps a solid from some distance on.
+/// A point overlaps a solid within some distance.
 fn margin(a: Option<&str>, b: Option<&str>) -> f64 {
     let pair = [a, b];
     if pair.contains(&Some("ab_point")) && pair.contains(&Some("ab_solid")) { JOIN_MARGIN_M } else { 0.0 }

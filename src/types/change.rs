@@ -1,4 +1,4 @@
-//! `ab_change`: core's byte form, on disk and on the wire; in hexadecimal as text. What is asked of it.
+//! `ab_change`: core's byte form, on disk and on the wire; in hexadecimal as text; and the functions on it.
 
 use asbuilt_core::voxel::{Change, Class, Settings, TileHeader};
 use asbuilt_core::{Error, Result};

@@ -56,7 +56,7 @@ sql_functions! {
         Ok(Ret::Bytes(args.fixed::<{ EvidenceModel::LEN }>(0).to_vec()))
     }
 
-    /// ab_sensor(name): one preset, or all without a name.
+    /// ab_sensor(name): one preset, or all of them without a name.
     fn ab_sensor(args) {
         let mut rows = Rows::new(args)?;
         let all = if args.is_null(0) { SensorPreset::ALL.to_vec() } else { vec![SensorPreset::named(&args.text(0))?] };

@@ -10,7 +10,7 @@ use asbuilt_core::{Budget, Error, Result};
 use super::{box_bytes, box_from};
 use crate::pg::{Args, Backend, Field, Ret, Rows, sql_functions};
 
-/// Most tiles of `ab_tiles`.
+/// Most tiles that `ab_tiles` returns.
 const MOST_TILES: f64 = 1e7;
 
 fn parse(bytes: &[u8]) -> Result<Grid> {
@@ -32,12 +32,12 @@ pub fn grid_arg(args: &Args, i: usize) -> Result<Grid> {
     parse(&args.fixed::<{ Grid::LEN }>(i))
 }
 
-/// The box in argument `i`, or all there is.
+/// The box in argument `i`, or all space.
 pub fn tile_arg(args: &Args, i: usize) -> Aabb {
     if args.is_null(i) { Grid::EVERYWHERE } else { box_from(&args.fixed(i)) }
 }
 
-/// Numbers of the tiles of `size` that meet a box on an axis: the first, and the one behind the last.
+/// Numbers of the tiles of `size` that meet a box along an axis: the first, and the one after the last.
 fn numbers(area: &Aabb, axis: usize, size: f64) -> [f64; 2] {
     let first = (area.min[axis] / size).floor();
     [first, (area.max[axis] / size).ceil().max(first + 1.0)]

@@ -9,7 +9,7 @@ use crate::pg::{Args, Backend, Ret};
 /// Longest text PostgreSQL can hold, with its terminator.
 const MAX_TEXT: usize = (1 << 30) - 2;
 
-/// The bytes that the text in argument 0 of an input function stands for.
+/// The bytes that the text in argument 0 of an input function represents.
 pub fn hex_in(args: &Args, ty: &'static str, prefix: &str) -> Result<Vec<u8>> {
     from_hex(ty, prefix, args.cstring_bytes(0), &Backend)
 }

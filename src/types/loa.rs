@@ -1,4 +1,4 @@
-//! `ab_loa`: an enum of SQL's own; here only the table of its bounds.
+//! `ab_loa`: an enum that SQL declares; here is only the table of its bounds.
 
 use asbuilt_core::evidence::Loa;
 

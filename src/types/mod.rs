@@ -1,4 +1,4 @@
-//! One SQL type a file: input, output, receive, send, constructors, accessors.
+//! One SQL type per file: input, output, receive, send, constructors, accessors.
 
 mod aabb;
 mod accuracy;

@@ -1,4 +1,4 @@
-//! `ab_occupancy`: core's byte form, on disk and on the wire; in hexadecimal as text. What is asked of it.
+//! `ab_occupancy`: core's byte form, on disk and on the wire; in hexadecimal as text; and the functions on it.
 
 use asbuilt_core::geometry::Solid;
 use asbuilt_core::voxel::{Grid, Mask, Occupancy, Rule, Settings, State, TileHeader};
@@ -33,8 +33,8 @@ pub fn words(args: &Args, i: usize, what: &'static str) -> Result<Vec<String>> {
     Ok(words.into_iter().map(|w| String::from_utf8_lossy(w).into_owned()).collect())
 }
 
-/// The voxels of a grid, and of `margin` metres around its tile, that the solid in argument `i` touches; those of its
-/// surface where it is open.
+/// The voxels of a grid, and within `margin` metres around its tile, that the solid in argument `i` touches; for an
+/// open solid those of its surface.
 pub fn cover(args: &Args, i: usize, grid: &Grid, margin: f64) -> Result<Mask> {
     let tile = grid.tile.expanded(margin + grid.voxel);
     let grid = &Grid { tile, ..*grid };
@@ -43,7 +43,7 @@ pub fn cover(args: &Args, i: usize, grid: &Grid, margin: f64) -> Result<Mask> {
     Mask::of(&solid, grid, rule, &Backend)
 }
 
-/// Voxels of the tile; `None` for a tile without end.
+/// Number of voxels of the tile; `None` for an unbounded tile.
 fn voxels_of_tile(grid: &Grid) -> Option<u64> {
     let sides = grid.span().0.map(|[first, end]| (end - first) as u64);
     grid.is_bounded().then(|| sides.iter().try_fold(1u64, |n, &side| n.checked_mul(side))).flatten()

@@ -1,5 +1,5 @@
-//! Equality, order and hash by the bytes of the current layout, for types that have no other: so that a column of them has
-//! a replica identity, and DISTINCT and GROUP BY work.
+//! Equality, order and hash by the bytes of the current layout, for types that have no other, so that a column of them
+//! has a replica identity, and DISTINCT and GROUP BY work.
 
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -15,7 +15,7 @@ use crate::pg::{Args, Backend, Ret, sql_functions};
 /// Bytes compared or hashed between two looks at the interrupt.
 const PIECE: usize = 1 << 24;
 
-/// The bytes of a variable-length value in today's layout, told by its letter and version.
+/// The bytes of a variable-length value in the current layout; its letter and version tell which it has.
 fn current(bytes: &[u8]) -> Result<Cow<'_, [u8]>> {
     let (version, letter) = match bytes {
         [version, letter, ..] => (*version, *letter),
@@ -47,7 +47,7 @@ fn order_of_fixed<const N: usize>(args: &Args) -> Ordering {
     args.fixed::<N>(0).cmp(&args.fixed::<N>(1))
 }
 
-/// In a hash index these are kept: where a layout changes, it is to be made anew.
+/// Hash indexes store these: after a change of layout they must be rebuilt.
 fn hash(bytes: &[u8], start: u32) -> Result<u32> {
     let mut crc = crc32fast::Hasher::new_with_initial(start);
     for piece in bytes.chunks(PIECE) {

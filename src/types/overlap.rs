@@ -9,7 +9,7 @@ use asbuilt_core::voxel::TileHeader;
 use super::{box_from, uncertain};
 use crate::pg::{Args, Ret, sql_functions};
 
-/// Standard deviations by which a point or line is grown: searches up to this many are served by an index.
+/// Standard deviations by which a point or line is grown: searches within up to this many are served by an index.
 pub const INDEX_SIGMAS: f64 = 5.0;
 
 /// A box itself.
@@ -22,12 +22,12 @@ pub fn of_solid(args: &Args, i: usize) -> Result<Aabb> {
     Ok(Solid::header(args.prefix(i, Solid::HEADER_LEN))?.bounds)
 }
 
-/// The box within which a point may be of a solid.
+/// The box within which a point may belong to a solid.
 pub fn near_solid(args: &Args, i: usize) -> Result<Aabb> {
     Ok(of_solid(args, i)?.expanded(JOIN_MARGIN_M))
 }
 
-/// For a scan the box that counts is the hull of its beams, origin included.
+/// For a scan, the hull of its beams, origin included.
 pub fn of_scan(args: &Args, i: usize) -> Result<Aabb> {
     Ok(Header::read(args.prefix(i, Header::LEN))?.hull)
 }
@@ -37,7 +37,7 @@ pub fn of_point(args: &Args, i: usize) -> Result<Aabb> {
     Ok(uncertain::value::<Point, 9>(args, i).bounds(INDEX_SIGMAS))
 }
 
-/// A point where it is said to be, however uncertain.
+/// A point at its coordinates, however uncertain.
 pub fn place(args: &Args, i: usize) -> Result<Aabb> {
     let at = uncertain::value::<Point, 9>(args, i).position.into();
     Ok(Aabb { min: at, max: at })
@@ -48,7 +48,8 @@ pub fn of_line(args: &Args, i: usize) -> Result<Aabb> {
     Ok(uncertain::value::<Line, 27>(args, i).bounds(INDEX_SIGMAS))
 }
 
-/// The blocks of an occupancy or a change of which something is known; for none the tile, or the origin where it is all.
+/// The blocks of an occupancy or a change about which something is known; if there are none, the tile, or the origin
+/// where the tile is unbounded.
 pub fn of_tile(args: &Args, i: usize) -> Result<Aabb> {
     tile_box(args.prefix(i, TileHeader::LEN))
 }

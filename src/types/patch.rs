@@ -28,7 +28,7 @@ sql_functions! {
         Ok(Ret::Row(vec![nearest, farthest]))
     }
 
-    /// ab_beams(patch): what did not return has a direction only.
+    /// ab_beams(patch): a beam without return has only a direction.
     fn ab_scan_beams(args) {
         let mut rows = Rows::new(args)?;
         let (header, content) = Patch::content_of(args.bytes(0))?;

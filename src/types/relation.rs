@@ -1,4 +1,5 @@
-//! `@>`, `<@`, `~=` and `<->` between whatever has a box and an `ab_box`, and `<->` with a point; only headers are read.
+//! `@>`, `<@`, `~=` and `<->` between anything with a box and an `ab_box`, and `<->` with a point; only headers are
+//! read.
 
 use asbuilt_core::Result;
 use asbuilt_core::geometry::Aabb;
@@ -23,7 +24,7 @@ fn distance(args: &Args, left: BoxOf, right: BoxOf) -> Result<Ret> {
     Ok(Ret::F64(left(args, 0)?.distance(&right(args, 1)?)))
 }
 
-/// The returns of a patch; nothing is infinitely far.
+/// The box of a patch's returns; infinitely far where there are none.
 fn returns(args: &Args, i: usize) -> Result<Aabb> {
     let header = Header::read(args.prefix(i, Header::LEN))?;
     Ok(if header.returns > 0 { header.points } else { Aabb::EMPTY })
@@ -44,7 +45,7 @@ sql_functions! {
     fn ab_scan_contains(args) { contains(args, of_scan) }
     fn ab_scan_contained(args) { contained(args, of_scan) }
     fn ab_scan_same(args) { same(args, of_scan) }
-    /// Until 0.1.0 the hull counted: for its SQL, until it is updated.
+    /// The SQL of 0.1.0 measures to the hull; it calls this until it is updated.
     fn ab_scan_distance(args) { distance(args, of_scan, of_box) }
     fn ab_scan_distance_box(args) { distance(args, returns, of_box) }
     fn ab_scan_distance_point(args) { distance(args, returns, place) }

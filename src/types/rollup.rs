@@ -1,4 +1,4 @@
-//! What `ab_rollup` of two values does with NULL.
+//! How `ab_rollup` of two values treats NULL.
 
 use asbuilt_core::Result;
 

@@ -8,17 +8,17 @@ use super::evidence_model::{model_arg, parse};
 use super::summary::{row, rule};
 use crate::pg::{Account, Args, Backend, Cell, Column, Crew, Field, Query, Ret, Rows, for_each_batch, sql_functions};
 
-/// Patches that are unpacked at once: some ten megabytes.
+/// Patches that are unpacked at once: about ten megabytes.
 const BATCH: i64 = 64;
 /// Objects whose verdicts are made at once.
 const VERDICTS: usize = 32;
 
-/// Objects as the query gave them; without a solid there is nothing to verify.
+/// Objects as the query returned them; without a solid there is nothing to verify.
 #[derive(Default)]
 struct Objects {
     /// Id, and whether it has a solid.
     rows: Vec<(Cell, bool)>,
-    /// Those that have, in order.
+    /// Those that have one, in order.
     solids: Vec<(Solid, EvidenceModel)>,
 }
 

@@ -1,4 +1,4 @@
-//! Solids in voxels, and what voxels are good for.
+//! Solids in voxels, and the accuracy of voxels.
 
 use asbuilt_core::geometry::Solid;
 use asbuilt_core::voxel::{Grid, Mask, Rule, VoxelAccuracy};

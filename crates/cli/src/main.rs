@@ -83,7 +83,8 @@ fn main() {
     }
 }
 
-/// The command line. What is wrong with it is quoted from it: a name that a shell put in, a URL with a password.
+/// Parses the command line. Errors quote it, so they are made safe: it may hold hostile file names or a URL with a
+/// password.
 fn arguments() -> Cli {
     Cli::try_parse().unwrap_or_else(|error| {
         if !error.use_stderr() {

@@ -1,11 +1,12 @@
-//! A budget of memory for the processes that read files: beyond it an allocation fails there, and not the machine here.
+//! A memory budget for the processes that read files: beyond it an allocation fails in that process, instead of
+//! exhausting the machine.
 
 use anyhow::Result;
 
 /// The least that a reader can work with, bytes.
 const LEAST: u64 = 64 << 20;
 
-/// Three quarters of the machine's memory, or of what its container may use; where neither is told, 4 GB.
+/// Three quarters of the machine's memory, or of what its container may use; where neither is known, 4 GB.
 pub fn budget() -> u64 {
     let text = |path: &str| std::fs::read_to_string(path).ok();
     let machine = text("/proc/meminfo").and_then(|t| {
@@ -17,7 +18,7 @@ pub fn budget() -> u64 {
     (most / 4 * 3).max(LEAST)
 }
 
-/// `512MB`, `4GB`: a number with a unit of 1024 as PostgreSQL's.
+/// `512MB`, `4GB`: a number with a unit that is a power of 1024, as in PostgreSQL.
 pub fn parse(text: &str) -> std::result::Result<u64, String> {
     let (number, unit) = text.split_at(text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len()));
     let shift = match unit.trim().to_ascii_lowercase().as_str() {
@@ -37,7 +38,7 @@ pub fn shown(bytes: u64) -> String {
     if bytes >= 10 << 30 { format!("{} GB", bytes >> 30) } else { format!("{} MB", bytes >> 20) }
 }
 
-/// From here on this process gets no more than this.
+/// Limits this process to this much from here on.
 #[cfg(unix)]
 pub fn limit(bytes: u64) -> Result<()> {
     use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};

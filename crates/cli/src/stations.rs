@@ -1,4 +1,4 @@
-//! From points read to packed patches.
+//! From the points that were read to packed patches.
 
 use anyhow::Result;
 use asbuilt_core::NEVER;

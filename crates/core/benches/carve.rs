@@ -1,4 +1,4 @@
-//! Carving a tile of 4096 beams on a wall 6 m away into an occupancy: beams a second on one core.
+//! Carving a tile of 4096 beams on a wall 6 m away into an occupancy: beams per second on one core.
 
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Vec3;
@@ -33,7 +33,7 @@ fn carve(c: &mut Criterion) {
     group.finish();
 }
 
-/// Voxels that a beam passes, and how many of them a second are stepped through: one by one, and in slabs of bits.
+/// Voxels that a beam passes, and how many of them are stepped through per second: one by one, and in slabs of bits.
 fn steps(c: &mut Criterion) {
     let mut group = c.benchmark_group("voxel steps");
     for (voxel, azimuth) in [(0.02, 0.1), (0.02, 0.7), (0.01, 0.7)] {

@@ -1,4 +1,4 @@
-//! Time and memory that long work may take, asked on any of its threads.
+//! Time and memory that long work may take; may be asked on any of its threads.
 
 use std::collections::HashMap;
 use std::hash::{BuildHasher, Hash};
@@ -9,10 +9,10 @@ use crate::error::{Error, Result};
 ///
 /// A closure of `bool` is a budget without a limit of memory; `true` means: stop with [`Error::Interrupted`].
 pub trait Budget: Sync {
-    /// Asked now and then; an error unwinds the work.
+    /// Asked at intervals; an error unwinds the work.
     fn poll(&self) -> Result<()>;
 
-    /// Asked before so many bytes are taken at once; an error where there is no room for them.
+    /// Asked before this many bytes are taken at once; an error where there is no room for them.
     fn room(&self, bytes: usize) -> Result<()>;
 }
 
@@ -42,7 +42,7 @@ pub(crate) fn poll_now_and_then(round: usize, interrupt: Interrupt) -> Result<()
     if round.is_multiple_of(1024) { poll(interrupt) } else { Ok(()) }
 }
 
-/// Below this nobody asks for room: what adds up from small pieces is seen by [`Budget::poll`].
+/// Smaller pieces are taken without asking for room: what they add up to is noticed by [`Budget::poll`].
 const SMALL: usize = 1 << 16;
 
 /// An error where there is no room for `count` elements of `T` that are about to be taken.
@@ -51,7 +51,7 @@ pub(crate) fn room<T>(count: usize, interrupt: Interrupt) -> Result<()> {
     if bytes < SMALL { Ok(()) } else { interrupt.room(bytes) }
 }
 
-/// Collections that ask for room before they grow: they double, and a limit would be passed by as much.
+/// Collections that ask for room before they grow: growing doubles them, which could exceed a limit by as much.
 pub trait Grow {
     /// Makes room for `additional` elements, as much as [`Vec::reserve`] would.
     fn grow(&mut self, additional: usize, interrupt: Interrupt) -> Result<()>;
@@ -94,7 +94,7 @@ impl<K: Eq + Hash, V, S: BuildHasher> Grow for HashMap<K, V, S> {
     }
 }
 
-/// A budget of work that may take no more than so many bytes at once, and may take its time.
+/// A budget of work that may take no more than this many bytes at once, and any amount of time.
 #[derive(Debug, Clone, Copy)]
 pub struct AtOnce(pub usize);
 

@@ -78,7 +78,7 @@ pub enum Error {
         /// The section's tag.
         tag: u32,
     },
-    /// More than the design allows.
+    /// More than the layouts and algorithms allow.
     #[error("{what} is {value}; the most is {limit}")]
     Limit {
         /// What is too large.
@@ -88,7 +88,7 @@ pub enum Error {
         /// How large it may be.
         limit: String,
     },
-    /// Two sources that exclude each other wholly.
+    /// Two sources that exclude each other completely.
     #[error("the masses are in total conflict: one says occupied with certainty, the other empty")]
     TotalConflict,
     /// A matrix that is no covariance.
@@ -110,7 +110,7 @@ pub enum Error {
     /// Evidence values that cannot be added up.
     #[error("the evidence values do not belong together: {0}")]
     Mismatch(Mismatch),
-    /// Voxels that are not the same voxels, or were not gathered by the same rules.
+    /// Voxels of different lattices, or gathered by different rules.
     #[error("the grids do not belong together: {0}")]
     Lattice(LatticeMismatch),
     /// More memory than a setting allows.

@@ -11,7 +11,26 @@
 //! * [`verify`]: what the beams say about a solid ([`verify::Evidence`]) and the verdict;
 //! * [`voxel`]: which places are occupied, empty or unknown ([`voxel::Occupancy`]), and what changed.
 //!
-//! Lengths are metres, angles radians. Whatever a caller can get wrong comes back as [`Error`]; a panic is a bug.
+//! # Frames and units
+//!
+//! Lengths are metres, angles radians, an uncertainty is a standard deviation (σ) and a covariance holds its squares;
+//! a name that says otherwise (`_squared`, `variance`, `_cos`) means it. All frames have the axes of the world (the
+//! reference system of the model and of the registered scans) and differ only in where they begin:
+//!
+//! | frame | begins at | what is in it |
+//! | --- | --- | --- |
+//! | world | the reference system's zero | [`geometry::Solid`], [`geometry::Aabb`], all of [`uncertain`], the `origin`, `points` and `hull` of a [`scan::Header`], the triangles that beams are aimed at (`verify`'s target), [`verify::Place`], [`voxel::Grid::tile`] |
+//! | local of an object | `reference`: the centre of the solid's box, rounded to whole metres | the samples of [`verify::Evidence`] (`local(i)`, kept in single precision) and what is worked out from them: balls of blocks, points without origin, the points of the built surface |
+//! | patch-local | the header's `origin` | where the beams of a [`scan::Content`] start and end (`start(i)`, `end(i)`) |
+//! | scanner-relative | where the beam starts | [`scan::Beam::offset`], directions and ranges of a [`scan::View`], the `offset` that leads to a sample, the places that beams speak of. For a tripod it is the patch-local frame; a [`scan::View`] adds image coordinates (u, v) in the plane at unit distance along its cone's axis |
+//! | voxels | the lattice's zero, or a base near the patch | numbers of voxels and of blocks: places divided by the edge of a voxel |
+//!
+//! Frames that are turned against the world's (a scanner's own, a map's) end where files are read; within a function, a
+//! fit may choose axes of its own. A deviation is a length along a unit normal, positive in front of the face: along
+//! the outward normal in results; in the sums of a station towards the scanner, or along the normal where the station
+//! has no single place.
+//!
+//! Whatever a caller can get wrong comes back as [`Error`]; a panic is a bug.
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]

@@ -1,4 +1,4 @@
-//! Crafted evidence: small files that promise much.
+//! Crafted evidence: small values that promise much.
 
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Solid;
@@ -21,7 +21,7 @@ fn head(blocks: u32, samples: u32, stations: u32) -> Vec<u8> {
     out
 }
 
-/// Every station could speak about every block, but each speaks about one: memory goes by what is there.
+/// Every station could speak about every block, but each speaks about one: memory depends on what is present.
 #[test]
 fn forty_thousand_stations_on_forty_thousand_blocks() {
     const N: u32 = 40_000;
@@ -47,7 +47,7 @@ fn forty_thousand_stations_on_forty_thousand_blocks() {
     assert!(Evidence::from_bytes(&today, NEVER).unwrap() == e);
 }
 
-/// 2²⁶ blocks of 64 samples are 2³², which is no sample at all in 32 bits.
+/// 2²⁶ blocks of 64 samples are 2³² samples, which is zero in 32 bits.
 #[test]
 fn blocks_that_count_round_to_zero() {
     const N: u32 = 1 << 26;

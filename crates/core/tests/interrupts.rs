@@ -1,5 +1,5 @@
 //! Long work asks for interrupts as it goes: four times the work, about four times the questions; and it stops at once
-//! whenever the answer is yes.
+//! whenever it is told to.
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 

@@ -1,4 +1,4 @@
-//! Objects verified together, and beams that are worth less.
+//! Objects verified together, and beams that count for less.
 
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, Vec3};
@@ -81,7 +81,7 @@ fn a_drawn_cladding_does_not_displace_the_wall_behind_it() {
     assert_eq!(verdict(&both[1]), Verdict::Deviating);
 }
 
-/// No beam aimed at a pole meets it where it is displaced by more than it is thick; those beside it do.
+/// No beam aimed at a pole meets it where it is displaced by more than its thickness; those beside it do.
 #[test]
 fn a_slim_pole_beside_its_place_is_not_absent() {
     let model = EvidenceModel::default();
@@ -114,7 +114,7 @@ fn a_slim_pole_beside_its_place_is_not_absent() {
     }
 }
 
-/// What nobody drew stands in front of a face; the face is behind it, however little of it is left to see.
+/// Something undrawn stands in front of a face; the face is behind it, however little of it is left to see.
 #[test]
 fn a_cupboard_does_not_displace_the_wall_that_it_hides() {
     let model = EvidenceModel::default();

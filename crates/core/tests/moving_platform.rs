@@ -18,7 +18,7 @@ fn wall() -> Solid {
     Solid::cuboid((BASE - Vec3::x() * 0.2).into(), (BASE + Vec3::new(0.0, 2.0, 2.0)).into()).unwrap()
 }
 
-/// Profiles of a trolley that drives along y, 4 m in front of what was built at x = `at`.
+/// Profiles of a trolley that moves along y, 4 m in front of what was built at x = `at`.
 fn drive(at: f64) -> Content {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
     let noise = Normal::new(0.0, 0.001).unwrap();

@@ -29,7 +29,7 @@ fn draw<const N: usize>(rng: &mut ChaCha8Rng, root: &SMatrix<f64, N, N>) -> SVec
     root * SVector::<f64, N>::from_fn(|_, _| StandardNormal.sample(rng))
 }
 
-/// What can be drawn about its own value, and written as the error against it.
+/// A value that can be drawn about its mean, and whose error against the mean can be written as a vector.
 trait Random: Copy {
     fn drawn(&self, rng: &mut ChaCha8Rng) -> Self;
 }
@@ -109,7 +109,7 @@ fn agrees<const N: usize>(
     assert!(off < 0.03, "{what}: empirical and propagated covariance differ by {off:.4}\n{empirical}{propagated}");
 }
 
-/// A scene of objects that touch, turn and cross as the tests want, about `base`.
+/// A scene of objects that touch, turn and cross as the tests need, about `base`.
 struct Scene {
     points: [Point; 4],
     pose: Pose,

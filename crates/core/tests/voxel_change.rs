@@ -30,7 +30,7 @@ fn epoch(grid: Grid, seed: u64, x: f64) -> Occupancy {
     o
 }
 
-/// Returns and traversal of every voxel of which something is known.
+/// Returns and traversal of every voxel about which something is known.
 fn known(o: &Occupancy) -> HashMap<Voxel, (u8, bool)> {
     let mut out = HashMap::new();
     o.for_each(1, NEVER, |voxel, state, hits| {
@@ -124,7 +124,7 @@ fn turned(solid: &Solid, by: Vec3, shift: Vec3) -> Solid {
     Solid::new(solid.vertices().iter().map(|v| r * v + shift).collect(), solid.triangles().to_vec()).unwrap()
 }
 
-/// A cuboid whose top is cut into two triangles more, at a vertex that its side does not have.
+/// A cuboid whose top is cut into two more triangles, at a vertex that its side does not have.
 fn with_t_junction() -> Solid {
     let c = Solid::cuboid([0.0; 3], [1.0, 0.7, 0.4]).unwrap();
     let mut vertices = c.vertices().to_vec();
@@ -323,7 +323,7 @@ proptest! {
         prop_assert_eq!(known(&coarse), expected);
     }
 
-    /// What has no neighbours goes, and nothing else.
+    /// Voxels without neighbours are removed, and nothing else.
     #[test]
     fn denoising_counts_neighbours(seed in 0u64..1000, neighbours in 1u32..5) {
         let grid = Grid::new(0.05, Grid::EVERYWHERE, 0.01, 1.0).unwrap();

@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 
 const VOXEL: f64 = 0.1;
 
-/// Part of a segment inside a box, as a length; negative where it passes by.
+/// Length of the part of a segment inside a box; negative where it misses the box.
 fn length_inside(start: &Vec3, end: &Vec3, b: &Aabb) -> f64 {
     let (mut from, mut to) = (0.0f64, 1.0f64);
     for axis in 0..3 {
@@ -56,7 +56,7 @@ fn occupied(grid: Grid, patches: &[Vec<u8>]) -> Occupancy {
     o
 }
 
-/// What brute force says of a voxel: returns in it, and the longest way of a beam through it.
+/// What brute force says about a voxel: returns in it, and the longest path of a beam through it.
 fn brute(grid: &Grid, patches: &[(Vec3, Content)], voxel: [i64; 3]) -> (u32, f64) {
     let low = Vec3::from(voxel.map(|i| i as f64 * grid.voxel));
     let own = Aabb { min: low.into(), max: (low + Vec3::repeat(grid.voxel)).into() };
@@ -202,7 +202,7 @@ fn raster(step: f64, axis: Vec3) -> (Vec3, Vec<Beam>, Vec<u8>) {
     (origin, beams, patch)
 }
 
-/// What `exact => false` differs in: a voxel passed between rays lies among rays that all reach beyond it; one that is
+/// How `exact => false` differs: a voxel filled between rays lies among rays that all reach beyond it; one that is
 /// missed is grazed by the outermost rays; returns are the same.
 #[test]
 fn filling_between_rays_is_bounded() {

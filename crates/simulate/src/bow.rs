@@ -6,7 +6,8 @@ use nalgebra::{Matrix3, SymmetricEigen};
 /// Pieces along the body's longest extent: the chords of a 60 mm bow then lie within 0.1 mm of the curve.
 const PIECES: f64 = 32.0;
 
-/// Vertices and triangles of a body whose middle, along its longest extent, is off by `bow` (m), as half a sine wave.
+/// Vertices and triangles of a body whose middle, along its longest extent, is displaced by `bow` (m), as half a sine
+/// wave.
 pub fn bowed(solid: &Solid, bow: &Vec3) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     let axis = longest_axis(solid);
     let along = |v: &Vec3| v.dot(&axis);
@@ -26,7 +27,8 @@ pub fn bowed(solid: &Solid, bow: &Vec3) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     (bent, triangles)
 }
 
-/// Halves the edge that extends farthest along the axis until none exceeds `most`. Neighbours cut a shared edge alike.
+/// Halves the edge that extends farthest along the axis until none exceeds `most`. Neighbours cut a shared edge in the
+/// same way.
 fn cut(corners: [Vec3; 3], along: &impl Fn(&Vec3) -> f64, most: f64, out: &mut Vec<Vec3>) {
     let extent = |k: usize| (along(&corners[(k + 1) % 3]) - along(&corners[k])).abs();
     let k = (0..3).max_by(|&a, &b| extent(a).total_cmp(&extent(b))).unwrap_or(0);

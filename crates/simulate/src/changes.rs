@@ -1,4 +1,4 @@
-//! What was built otherwise than drawn.
+//! What was built differently from the drawing.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -13,9 +13,9 @@ use crate::bow::bowed;
 /// An object as drawn.
 #[derive(Debug)]
 pub struct Drawn<'a> {
-    /// Its name …
+    /// Its name. Changes refer to an object by name or by GlobalId.
     pub name: &'a str,
-    /// … and GlobalId: changes go by either.
+    /// Its GlobalId.
     pub global_id: &'a str,
     /// Its body, if it has one.
     pub solid: Option<Solid>,
@@ -33,20 +33,20 @@ pub struct Changes {
     pub added: Vec<Added>,
 }
 
-/// How an object was built otherwise; several may hold together.
+/// How an object was built differently; several of these may apply at once.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Change {
     /// Moved by this, metres.
     #[serde(default)]
     pub shift: [f64; 3],
-    /// Tilted by this about a horizontal axis through its foot, degrees …
+    /// Tilted by this about a horizontal axis through its foot, degrees.
     #[serde(default)]
     pub tilt_deg: f64,
-    /// … which is this direction.
+    /// Direction of the axis of the tilt.
     #[serde(default = "x_axis")]
     pub tilt_axis: [f64; 3],
-    /// Bent: its middle (along its longest extent) lies off by this, metres; its ends stay.
+    /// Bent: its middle (along its longest extent) is displaced by this, metres; its ends stay.
     #[serde(default)]
     pub bow: [f64; 3],
     /// Not built.

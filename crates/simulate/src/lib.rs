@@ -1,7 +1,7 @@
 //! Scenes with known truth and a scanner in them: what tests, benches, forecasts and the demo are made from.
 //!
-//! [`Changes`] says what was built otherwise than drawn, [`Scene`] holds what then stands there, [`Scanner`] scans it
-//! with its errors, and [`write_e57`] writes the scans as a scanner would.
+//! [`Changes`] says what was built differently from the drawing, [`Scene`] holds what then stands there, [`Scanner`]
+//! scans it with its errors, and [`write_e57`] writes the scans as a scanner would.
 
 mod bow;
 mod changes;

@@ -11,14 +11,14 @@ use rayon::prelude::*;
 
 use crate::scene::Scene;
 
-/// What the scanner does well and badly.
+/// How accurate the scanner is.
 #[derive(Debug, Clone, Copy)]
 pub struct Scanner {
     /// Angle between neighbouring beams, radians.
     pub step: f64,
-    /// Standard deviation of a range, metres …
+    /// Standard deviation of a range at the scanner, metres.
     pub sigma_range: f64,
-    /// … that grows by this much per metre.
+    /// Growth of the standard deviation of a range per metre of range.
     pub sigma_range_per_m: f64,
     /// Standard deviation of the range's zero point, metres: one error for all beams of a scan.
     pub sigma_zero: f64,
@@ -28,7 +28,7 @@ pub struct Scanner {
     pub sigma_registration: f64,
     /// Share of beams that hit an edge and average two surfaces: the range is too short by up to a tenth.
     pub mixed_pixels: f64,
-    /// Nothing farther returns, metres.
+    /// Range beyond which nothing returns, metres.
     pub max_range: f64,
     /// Lowest elevation, radians: below it the tripod stands in the way.
     pub min_elevation: f64,
@@ -56,9 +56,9 @@ pub struct SimulatedScan {
     pub rows: u32,
     /// Columns of the grid.
     pub columns: u32,
-    /// The pose that the file will tell: heading about z, and the registered position.
+    /// The pose that the file will state: heading about z, and the registered position.
     pub heading: f64,
-    /// Where registration says that the scanner stood; off the truth by its error.
+    /// Where registration says that the scanner stood; it differs from the truth by the registration's error.
     pub registered: Vec3,
 }
 
@@ -76,7 +76,7 @@ impl Scanner {
         ((TAU / self.step).floor() as u32, rows.floor() as u32)
     }
 
-    /// Scans from `station`. The same seed gives the same scan, whatever the number of threads.
+    /// Scans from `station`. The same seed gives the same scan with any number of threads.
     pub fn scan(&self, scene: &Scene, station: &Vec3, seed: u64) -> SimulatedScan {
         let (columns, rows) = self.grid();
         let mut rng = ChaCha8Rng::seed_from_u64(seed);

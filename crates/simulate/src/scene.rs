@@ -1,4 +1,4 @@
-//! A scene of meshes, and what a ray meets in it first.
+//! A scene of meshes, and what a ray meets first in it.
 
 use asbuilt_core::geometry::{Solid, Vec3};
 use bvh::aabb::{Aabb, Bounded};
@@ -7,10 +7,10 @@ use bvh::bvh::{Bvh, BvhNode};
 use bvh::ray::Ray;
 use nalgebra::{Point3, Vector3};
 
-/// Boxes are grown by this: a flat one, or a ray along its side, would be missed.
+/// Boxes are grown by this, because a flat box, or a ray along its side, would be missed.
 const PADDING_M: f64 = 1e-6;
 
-/// Everything that stands there, ready for rays.
+/// Everything that stands in the scene, prepared for rays.
 pub struct Scene {
     triangles: Vec<Triangle>,
     tree: Bvh<f64, 3>,

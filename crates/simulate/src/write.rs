@@ -12,7 +12,7 @@ use crate::scanner::SimulatedScan;
 /// Unit of the coordinates in the file, metres: far below the noise, a third of the bytes.
 const QUANTUM_M: f64 = 1e-5;
 
-/// Writes one point cloud a scan. The bytes depend on nothing but the scans.
+/// Writes one point cloud per scan. The bytes depend only on the scans.
 pub fn write_e57(path: &Path, scans: &[SimulatedScan]) -> Result<()> {
     // The library writes in small pieces and reads back: cheaper in memory than on disk.
     let mut memory = Cursor::new(Vec::new());

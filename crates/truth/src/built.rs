@@ -1,4 +1,4 @@
-//! Buildings as built: what is off, missing, hidden or added.
+//! Buildings as built: what is displaced, missing, hidden or added.
 
 use anyhow::Result;
 use asbuilt_core::geometry::{Solid, Vec3};
@@ -40,9 +40,9 @@ pub struct Fate {
 /// What stands there.
 #[derive(Debug)]
 pub struct Built {
-    /// As many as objects, in their order.
+    /// One for each object, in the same order.
     pub fates: Vec<Fate>,
-    /// What nobody drew.
+    /// What is not in the drawing.
     pub clutter: Vec<Solid>,
 }
 

@@ -1,4 +1,4 @@
-//! One object under one survey: what the evidence says beside what is true.
+//! One object under one survey: what the evidence says, compared with what is true.
 
 use anyhow::Result;
 use asbuilt_core::NEVER;
@@ -15,10 +15,10 @@ use crate::built::{Built, Case, Fate};
 use crate::survey::Survey;
 use crate::truth::{BuiltSurface, Expected, SampleTruth, Viewpoints, expected, sight};
 
-/// Samples of an object whose truth is looked up, at the most.
+/// Most samples of an object whose truth is looked up.
 const MAX_TRUTHS: usize = 4000;
 
-/// An estimate with its stated standard deviation beside the truth, metres.
+/// An estimate with its stated standard deviation, and the truth, metres.
 #[derive(Debug, Clone, Copy)]
 pub struct Estimate {
     pub value: f64,
@@ -26,7 +26,7 @@ pub struct Estimate {
     pub truth: f64,
 }
 
-/// What one sample's belief said, and whether it was so.
+/// What one sample's belief said, and whether it was true.
 #[derive(Debug, Clone, Copy)]
 pub struct Stated {
     pub occupied: f64,
@@ -43,13 +43,13 @@ pub struct Outcome {
     pub best_loa: Option<Loa>,
     /// The finest class that a survey of this registration can prove at 95 %.
     pub provable: Loa,
-    /// What scanned it.
+    /// The survey that scanned it.
     pub scanner: Scanner,
-    /// Of the deviation in the summary.
+    /// The estimate of the deviation in the summary.
     pub deviation: Option<Estimate>,
-    /// Of every well-seen face.
+    /// The estimates of the deviation of every well-seen face.
     pub faces: Vec<Estimate>,
-    /// Of the rigid shift along each determined direction; only objects that moved rigidly.
+    /// The estimates of the rigid shift along each determined direction; only for objects that moved rigidly.
     pub shift: Vec<Estimate>,
     pub stated: Vec<Stated>,
     /// A line for the list of what went wrong.
@@ -149,8 +149,8 @@ impl Setup {
         )
     }
 
-    /// The parameters that the sensor's data sheet and the registration's report give; levels of accuracy take turns
-    /// among those that the survey is fit for.
+    /// The parameters that the sensor's data sheet and the registration's report give; levels of accuracy alternate
+    /// among those for which the survey is fit.
     fn model(&self, i: usize, kind: ModelKind) -> EvidenceModel {
         let s = &self.survey.scanner;
         let fit: Vec<Loa> = [Loa::Loa20, Loa::Loa30, Loa::Loa40]

@@ -2,7 +2,7 @@
 //!
 //! * [`building`]: layouts as drawn; [`built`]: what was built otherwise; [`survey`]: scanners and their places;
 //! * [`truth`]: what is true of an object, from its built surface alone;
-//! * [`case`]: one object under one survey, evidence beside truth;
+//! * [`case`]: one object under one survey, evidence compared with truth;
 //! * [`tally`], [`report`], [`picture`]: the numbers, docs/truth.md and its pictures.
 
 mod building;

@@ -80,7 +80,7 @@ fn document(panels: &[Frame]) -> String {
     )
 }
 
-/// Reliability diagrams: stated belief against how often it was so. Dots grow with the samples in them.
+/// Reliability diagrams: stated belief against how often it was true. Dots grow with the samples in them.
 pub fn reliability(models: &[(&str, [Bin; BINS])]) -> String {
     let panels: Vec<Frame> = models
         .iter()

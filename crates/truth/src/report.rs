@@ -12,7 +12,7 @@ use crate::case::{Outcome, Setup};
 use crate::picture;
 use crate::tally::{BINS, Intervals, Share, calibration_error, false_absent, has_loa, loa_right, reliability, right};
 
-/// What the report says of a scene.
+/// What the report says about a scene.
 pub struct SceneLine(String);
 
 impl SceneLine {
@@ -73,13 +73,13 @@ impl Results {
         Intervals::of(self.all().flat_map(|o| o.shift.iter().copied()))
     }
 
-    /// The head of the report, one line a question.
+    /// The head of the report, one line per question.
     fn row(&self, what: &str, f: impl Fn(&Self) -> String, other: Option<&Self>) -> String {
         format!("| {what} | {} | {} |\n", f(self), other.map_or_else(String::new, &f))
     }
 }
 
-/// What a line of the head asks of a model's results.
+/// What a line of the head takes from a model's results.
 type Answer<'a> = &'a dyn Fn(&Results) -> String;
 
 /// The tables as text.

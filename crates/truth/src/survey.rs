@@ -11,17 +11,17 @@ use rayon::prelude::*;
 
 use crate::building::{Building, Footprint};
 
-/// What a survey is like.
+/// The properties of a survey.
 #[derive(Debug, Clone, Copy)]
 pub struct Survey {
     pub seed: u64,
     pub scanner: Scanner,
     pub stations: usize,
-    /// Steepest incidence that the verifier is to listen to, radians.
+    /// Steepest incidence that the verifier takes into account, radians.
     pub max_incidence: f64,
 }
 
-/// Values that take turns, in ever other combinations.
+/// Values that alternate, in ever new combinations.
 const STEPS_MRAD: [f64; 14] = [8.0, 3.0, 6.0, 2.0, 4.0, 1.5, 1.0, 8.0, 3.0, 6.0, 2.0, 4.0, 1.5, 0.6];
 const SIGMA_RANGES_MM: [f64; 6] = [1.0, 0.5, 2.0, 3.0, 1.5, 5.0];
 const REGISTRATIONS_MM: [f64; 5] = [1.0, 0.0, 0.5, 2.0, 3.0];
@@ -59,7 +59,7 @@ impl Survey {
         Self { seed: seed + i as u64, scanner, stations: (1 + i % 5).min(most), max_incidence }
     }
 
-    /// Standing places with room around them, well apart, plan metres.
+    /// Places to stand, with room around them and well apart, plan metres.
     pub fn places(&self, building: &Building, rng: &mut ChaCha8Rng) -> Vec<Vec3> {
         let mut out: Vec<Vec3> = Vec::new();
         let mut apart = 0.5 * building.size.xy().norm();

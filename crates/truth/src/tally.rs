@@ -1,4 +1,4 @@
-//! Outcomes added up.
+//! Sums over outcomes.
 
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::verify::Verdict;
@@ -10,7 +10,7 @@ pub const BINS: usize = 10;
 /// Half-width of a 95 % interval in σ.
 const Z95: f64 = 1.959_964;
 
-/// How many of how many.
+/// A count out of a total.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Share {
     pub hits: usize,
@@ -40,7 +40,7 @@ impl Share {
     }
 }
 
-/// Belief stated and kept, by tenths of belief.
+/// Stated belief and observed frequency, by tenths of belief.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Bin {
     pub count: f64,
@@ -66,7 +66,7 @@ pub fn calibration_error(bins: &[Bin; BINS]) -> f64 {
     bins.iter().map(|b| (b.stated - b.kept).abs()).sum::<f64>() / all.max(1.0)
 }
 
-/// Intervals of ±1.96 σ beside the truth.
+/// Intervals of ±1.96 σ compared with the truth.
 #[derive(Debug)]
 pub struct Intervals {
     pub holds: Share,
@@ -95,12 +95,12 @@ pub fn right(o: &Outcome) -> bool {
     o.expected.verdicts.contains(&o.verdict)
 }
 
-/// Said to be absent, and it is not.
+/// Whether it is said to be absent, and is not.
 pub fn false_absent(o: &Outcome) -> bool {
     o.verdict == Verdict::Absent && !right(o)
 }
 
-/// Whether best LOA is asked of this case at all: the object stands there and something was seen of it.
+/// Whether best LOA is evaluated for this case at all: the object exists and something was seen of it.
 pub fn has_loa(o: &Outcome) -> bool {
     o.expected.verdicts.iter().all(|v| *v != Verdict::Unobserved) && o.verdict != Verdict::Unobserved
 }

@@ -1,13 +1,13 @@
-//! What is true of an object: where its surface really is, what of it can be seen, what a verdict should say.
+//! What is true of an object: where its surface really is, how much of it can be seen, what a verdict should say.
 
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::verify::Verdict;
 use asbuilt_simulate::Scene;
 
-/// A built triangle speaks for a drawn face that looks its way (cos 45°).
+/// A built triangle belongs to a drawn face that points its way (cos 45°).
 const MIN_TURN_COS: f64 = 0.7;
-/// A surface farther off than this is not the face's, metres.
+/// A surface farther away than this is not the face's, metres.
 const MAX_DEVIATION_M: f64 = 0.3;
 /// Least share of the visible samples that makes a face count, and least number.
 const FACE_SHARE: f64 = 0.03;
@@ -25,29 +25,29 @@ pub struct BuiltSurface {
 pub struct SampleTruth {
     /// Where the built surface crosses the sample's normal, metres along it; `None`: it does not.
     pub deviation: Option<f64>,
-    /// Distance of the sample from the built surface that looks its way, metres.
+    /// Distance of the sample from the built surface that points its way, metres.
     pub distance: f64,
     /// How well the stations can see it.
     pub sight: Sight,
 }
 
-/// How well a sample of a drawn face, or what stands at most 10 cm before it, can be seen.
+/// How well a sample of a drawn face, or what stands at most 10 cm in front of it, can be seen.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Sight {
     /// Stations that see it.
     pub stations: u32,
     /// Beams that meet its share of the face.
     pub beams: f64,
-    /// Whether a surface is met there or behind it: what does not return anything is hardly evidence.
+    /// Whether a surface is met there or behind it: a beam that returns nothing is hardly evidence.
     pub returns: bool,
 }
 
-/// Where a scene is seen from.
+/// A place from which a scene is seen.
 pub struct Viewpoints<'a> {
     pub stations: &'a [Vec3],
     /// Angle between neighbouring beams, radians.
     pub step: f64,
-    /// Steepest sight that counts, radians.
+    /// Steepest incidence that counts, radians.
     pub max_incidence: f64,
     /// What stands at most this far in front of a face does not hide it, metres.
     pub in_front: f64,
@@ -101,7 +101,7 @@ fn distance_to_triangle(p: &Vec3, corners: &[Vec3; 3], n: &Vec3) -> f64 {
     edge(a, b).min(edge(b, c)).min(edge(c, a))
 }
 
-/// What a survey sees of a sample that stands for `area` m² of a drawn face.
+/// What a survey sees of a sample that represents `area` m² of a drawn face.
 pub fn sight(scene: &Scene, view: &Viewpoints, area: f64, position: &Vec3, normal: &Vec3) -> Sight {
     let mut out = Sight::default();
     for station in view.stations {
@@ -124,11 +124,11 @@ pub fn sight(scene: &Scene, view: &Viewpoints, area: f64, position: &Vec3, norma
 /// What a right verdict is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expected {
-    /// Right verdicts; several where too little is visible, or too little of it is off, to insist on one.
+    /// Right verdicts; several where too little is visible, or too little of it is displaced, to insist on one.
     pub verdicts: Vec<Verdict>,
     /// The finest class that 95 % of every visible face keeps; `None` where there is no object.
     pub loa: Option<Loa>,
-    /// Distance of what decides from the tolerance, metres: near 0 no survey can tell.
+    /// Distance of the deciding quantity from the tolerance, metres: near 0 no survey can tell.
     pub margin: f64,
 }
 

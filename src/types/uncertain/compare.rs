@@ -24,7 +24,7 @@ fn hash_extended<const N: usize>(args: &Args) -> Ret {
     Ret::I64((wide ^ (args.i64(1) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)) as i64)
 }
 
-/// Kept in hash indexes and hash partitions: it must never change.
+/// Stored in hash indexes and hash partitions: it must never change.
 fn checksum<const N: usize>(args: &Args, start: u32) -> u32 {
     let mut crc = crc32fast::Hasher::new_with_initial(start);
     args.numbers::<N>(0).iter().for_each(|x| crc.update(&(x + 0.0).to_le_bytes()));

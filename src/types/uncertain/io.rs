@@ -10,7 +10,7 @@ pub fn value<T: Stored<N>, const N: usize>(args: &Args, i: usize) -> T {
     T::from_stored(&args.numbers::<N>(i))
 }
 
-/// Returns a value whose numbers are in range; whatever is stored can be read again.
+/// Returns a value after checking that its numbers are in range: whatever is stored can be read again.
 pub fn ret<T: Stored<N> + Copy, const N: usize>(x: &T) -> Result<Ret> {
     // Zero has no sign: the text form does not always show it.
     Ok(Ret::Fixed(x.in_range()?.to_numbers().iter().flat_map(|c| (c + 0.0).to_ne_bytes()).collect()))
@@ -44,7 +44,7 @@ fn listed<const N: usize>(args: &Args) -> Result<Ret> {
     Ok(Ret::F64Array(args.numbers::<N>(0).to_vec(), vec![N as i32]))
 }
 
-/// From the coordinates alone, which are then exact, or from all numbers.
+/// From the coordinates alone, which are then exact, or from coordinates and covariance.
 fn from_list<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<Ret> {
     let list = args.f64_list(0, "the numbers of the value")?;
     let mut numbers = [0.0; N];

@@ -1,4 +1,4 @@
-//! Statistical tests: each as a row, and as a yes or no at a significance.
+//! Statistical tests: each as a row, and as a boolean at a significance.
 
 use asbuilt_core::uncertain::test::{self, Test};
 use asbuilt_core::{Error, Result};
@@ -22,7 +22,7 @@ fn holds(args: &Args, t: &Test) -> Result<Ret> {
     }
 }
 
-/// Declares both SQL functions of each relation: the test as a row, and as yes or no.
+/// Declares both SQL functions of each relation: the test as a row, and as a boolean.
 macro_rules! relations {
     ($($row:ident, $holds:ident = $test:ident($left:ident, $right:ident);)*) => {
         sql_functions! {

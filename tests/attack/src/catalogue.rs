@@ -1,4 +1,4 @@
-//! What the extensions hold, from the server's own catalogue: nothing here knows a name.
+//! What the extensions contain, from the server's own catalogue: no name is written here.
 
 use postgres::Client;
 
@@ -7,7 +7,7 @@ pub const OURS: &str = "('asbuilt', 'asbuilt_postgis', 'asbuilt_pointcloud', 'as
 
 #[derive(Debug, Clone)]
 pub struct Function {
-    /// schema.name
+    /// Full name, as schema.name
     pub name: String,
     /// With argument types: names the attack.
     pub signature: String,

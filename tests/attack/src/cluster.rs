@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use postgres::{Client, Config, NoTls};
 
-/// What a backend is measured against when memory is short: 1.5 GB of addresses.
+/// Address space of a backend when memory is short: 1.5 GB.
 pub const SMALL_KB: u64 = 1_572_864;
 /// Enough for honest work, and little enough that no attack takes the machine.
 pub const AMPLE_KB: u64 = 4 << 20;

@@ -24,7 +24,7 @@ fn head(ty: u32, count: usize) -> Vec<u8> {
     b
 }
 
-/// The polygon that hung version 0.2.0 before it was mended.
+/// A polygon on which the triangulation once did not end.
 fn known() -> Vec<u8> {
     polygon(&[
         vec![[2.5, 0.0, 0.0], [1.75, 0.75, 0.0], [3.25, 0.25, 0.0], [2.5, 0.0, 0.0]],

@@ -15,7 +15,7 @@ use crate::mutate;
 use crate::report::{Kind, Report, shortened};
 use crate::seeds;
 
-/// A program on a file of some kilobytes that runs longer hangs. Meshing is bounded by an option of its own.
+/// A program that runs longer than this on a file of some kilobytes hangs. Meshing is bounded by an option of its own.
 const PATIENCE_S: u64 = 20;
 
 /// The program: of ASBUILT, else of this project.
@@ -115,7 +115,7 @@ pub fn for_hijack(folder: &Path) -> Vec<String> {
 }
 
 impl Loader {
-    /// A seed itself must load.
+    /// An undamaged seed must load.
     fn whole(&mut self, report: &mut Report, seed: &Path) {
         if !self.load(report, seed, &[]) {
             report.finding(

@@ -9,9 +9,9 @@ use crate::cluster::{AMPLE_KB, Cluster};
 use crate::files::program;
 use crate::report::{Kind, Report};
 
-/// Planted code says in the server's log who ran it: a row in a table would go with the transaction that fails.
+/// Planted code reports in the server's log who ran it: a row in a table would vanish with the failing transaction.
 const MARK: &str = "PLANTED";
-/// As the log shows it; statements that PostgreSQL refused are in the log, too.
+/// The report as it appears in the log; statements that PostgreSQL refused are in the log, too.
 const MARKED: &str = "LOG:  PLANTED";
 
 /// Columns of the program's tables, so that planted ones look right.

@@ -67,7 +67,7 @@ impl Plan {
         self.only.as_ref().is_none_or(|o| o.iter().any(|p| p == piece))
     }
 
-    /// A generator of a piece's own, so that a piece alone repeats what it did among the others.
+    /// A random generator for each piece, so that a piece run alone repeats what it did among the others.
     fn rng(&self, piece: &str, round: u64) -> ChaCha8Rng {
         let name = piece.bytes().fold(0u64, |h, b| h.wrapping_mul(31).wrapping_add(u64::from(b)));
         ChaCha8Rng::seed_from_u64(self.seed.wrapping_add(round.wrapping_mul(1_000_003)) ^ name.rotate_left(32))

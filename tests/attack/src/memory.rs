@@ -151,7 +151,7 @@ const HEAVY: &[(&str, bool, &str)] = &[
     ("ewkb of 300 MB", false, "SELECT ab_area(ab_solid_from_ewkb(decode(repeat('00', 300000000), 'hex')))"),
 ];
 
-/// Codes of an honest refusal: no memory, a limit, a bad argument, cancelled.
+/// Codes of a proper refusal: no memory, a limit, a bad argument, cancelled.
 fn is_refusal(code: &str) -> bool {
     matches!(code, "53200" | "54000" | "57014") || code.starts_with("22") || code.starts_with("driver")
 }

@@ -3,9 +3,9 @@
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
-/// Numbers that counts and lengths do not expect.
+/// Unexpected numbers for counts and lengths.
 const WORDS: [u32; 10] = [0, 1, 0x7f, 0xff, 0xffff, 0x10000, 0x7fff_ffff, 0x8000_0000, 0xffff_fffe, 0xffff_ffff];
-/// Numbers that coordinates do not expect.
+/// Unexpected numbers for coordinates.
 const FLOATS: [f64; 9] =
     [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -0.0, 5e-324, 1e308, -1e308, 1e-300, 9.007_199_254_740_993e15];
 

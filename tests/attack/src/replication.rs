@@ -9,7 +9,7 @@ use crate::cluster::{AMPLE_KB, Cluster, deaths};
 use crate::report::Kind;
 use crate::session::Session;
 
-/// What a publisher needs beside.
+/// Settings that a publisher needs.
 pub const PUBLISHER: &str = "wal_level = logical\nmax_wal_senders = 10\nmax_replication_slots = 10";
 
 /// The subscriber catches up within this, or something is wrong.
@@ -98,7 +98,7 @@ fn changes(p: &str) -> [String; 4] {
     ]
 }
 
-/// Takes publication and slot away, by a connection of its own: what the sender did to the server is booked already.
+/// Removes publication and slot, by a connection of its own: what the sender did to the server is recorded already.
 fn clear(s: &Session, p: &str) {
     let slot = format!("FROM pg_replication_slots WHERE slot_name = 's_{p}'");
     for sql in [
@@ -111,7 +111,7 @@ fn clear(s: &Session, p: &str) {
     }
 }
 
-/// Waits until both hold the same; books what died meanwhile.
+/// Waits until both hold the same; records what died in the meantime.
 fn caught_up(
     s: &mut Session,
     subscriber: &mut Cluster,
@@ -152,7 +152,7 @@ fn caught_up(
     }
 }
 
-/// Gives the subscription up, whatever became of the publisher.
+/// Drops the subscription, whatever became of the publisher.
 fn end(subscriber: &Cluster, there: &mut Client, types: &[&Type], p: &str) {
     if there.is_closed() {
         *there = subscriber.connect("attack");

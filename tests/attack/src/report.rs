@@ -19,7 +19,7 @@ pub enum Kind {
     OverLimit,
     /// Rows left behind by a load that failed.
     Partial,
-    /// A value that changed on its way, an index that answers otherwise than the table.
+    /// A value that changed on its way, or an index whose answer differs from the table's.
     Wrong,
     /// Code of another role ran.
     Hijack,
@@ -69,7 +69,7 @@ impl Report {
         Self { seed, folder, tallies: vec![], seen: BTreeSet::new(), started, slowest_cancel: Duration::ZERO }
     }
 
-    /// Opens the account of a piece; what follows is booked there.
+    /// Opens the account of a piece; what follows is recorded there.
     pub fn begin(&mut self, piece: &'static str) {
         self.tallies.push((piece, Tally::default()));
         self.started = Instant::now();
@@ -94,7 +94,7 @@ impl Report {
         *self.tally().errors.entry(sqlstate.into()).or_default() += 1;
     }
 
-    /// Whether a finding of this kind and key was met: the same again would only cost a restart of the server.
+    /// Whether a finding of this kind and key is known: meeting it again would only cost a restart of the server.
     pub fn has(&self, kind: Kind, key: &str) -> bool {
         self.seen.contains(&(kind, key.to_string()))
     }

@@ -1,4 +1,4 @@
-//! A session that survives what it asks for: crashes, hangs and errors are booked, and it connects again.
+//! A session that survives what it asks for: crashes, hangs and errors are recorded, and it reconnects.
 
 use std::error::Error;
 use std::io::{Read, Write};
@@ -90,7 +90,7 @@ impl<'a> Session<'a> {
         self.pid
     }
 
-    /// Runs `work` under the watch and books what came of it. `key` names the attack: one that brought the server
+    /// Runs `work` under the watch and records the result. `key` names the attack: one that brought the server
     /// down is not repeated.
     fn run<T>(
         &mut self,
@@ -208,7 +208,7 @@ impl<'a> Session<'a> {
         })
     }
 
-    /// Whether a second session of the same server answers.
+    /// Whether a second session on the same server answers.
     pub fn others_live(&mut self) -> bool {
         self.cluster.connect(&self.database).query_one("SELECT 1 + 1", &[]).is_ok()
     }

@@ -84,7 +84,7 @@ pub fn run(s: &mut Session, catalogue: &Catalogue, pool: &mut Pool, rng: &mut Ch
     }
 }
 
-/// Out in four ways: binary and text protocol, COPY in both formats; stored values and constants.
+/// Output in four ways: binary and text protocol, COPY in both formats; of stored values and constants.
 fn outputs(s: &mut Session, t: &Type, shape: &str, expression: &str) {
     // `offset 0` and a table: values as stored, with short headers, compressed, out of line. The constant: as made.
     let stored = format!("SELECT {expression} FROM attack.v_{} WHERE v IS NOT NULL", t.plain);
@@ -101,7 +101,7 @@ fn outputs(s: &mut Session, t: &Type, shape: &str, expression: &str) {
     }
 }
 
-/// What went out in either format comes back the same.
+/// What is written in either format reads back the same.
 fn round_trip(s: &mut Session, t: &Type, shape: &str, expression: &str, column: &str) {
     let key = format!("round trip: {shape} of {}", t.name);
     let (from, to) = ("attack.trip_from", "attack.trip_to");

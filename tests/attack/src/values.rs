@@ -139,7 +139,8 @@ const MADE: &[(&str, &str)] = &[
     ("bytea", "'\\x010f000080010000000103000080ffffff7f'::bytea"),
 ];
 
-/// Expressions of our own types, rich enough that calls with them do work. What the catalogue makes besides is added.
+/// Expressions of our own types, rich enough that calls with them do work. Values that functions of the catalogue
+/// return are added.
 const OURS: &[(&str, &str)] = &[
     ("ab_loa", "'LOA10'::ab_loa"),
     ("ab_loa", "'LOA40'::ab_loa"),
@@ -263,8 +264,8 @@ impl Pool {
         }
     }
 
-    /// Types that no expression above knows: from functions of the catalogue that return them, in a few rounds, for
-    /// the arguments of one may come from another. Others get some more values.
+    /// Types that no expression above makes: their values come from functions of the catalogue that return them, in a
+    /// few rounds, because the arguments of one may come from another. Other types get some more values.
     fn derive(&mut self, session: &mut Session, catalogue: &Catalogue, rng: &mut ChaCha8Rng) {
         for _ in 0..3 {
             for f in catalogue.functions.iter().filter(|f| !f.aggregate) {
@@ -309,7 +310,7 @@ impl Pool {
         self.values.entry(ty.into()).or_default().push(value);
     }
 
-    /// A value of the type, or of none: NULL now and then.
+    /// A value of the type; occasionally NULL.
     pub fn pick(&self, rng: &mut ChaCha8Rng, ty: &str) -> Option<&Value> {
         let all = self.of(ty);
         if all.is_empty() || rng.random_bool(0.06) { None } else { Some(&all[rng.random_range(0..all.len())]) }

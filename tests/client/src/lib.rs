@@ -124,7 +124,7 @@ impl Drop for Database {
     }
 }
 
-/// Roles of a test's own, dropped at the end with what they own in this database.
+/// Roles of a test, dropped at the end with what they own in this database.
 pub struct Roles<'a> {
     db: &'a Database,
     names: Vec<String>,
@@ -208,7 +208,7 @@ impl Verdicts {
     }
 }
 
-/// The project's root.
+/// The project's root folder.
 pub fn project(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path)
 }

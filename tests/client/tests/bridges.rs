@@ -3,8 +3,8 @@
 use asbuilt_client_tests::{Database, project, text};
 use postgres::Client;
 
-/// A database with the model of the demo, the other extension in schema `theirs` and its bridge; `None`, loudly, where
-/// the other is not installed.
+/// A database with the model of the demo, the other extension in schema `theirs`, and the bridge; `None`, with a
+/// message, where the other extension is not installed.
 fn bridged(name: &str, other: &str) -> Option<(Database, Client)> {
     let db = Database::new(name);
     db.asbuilt(&["load", text(&project("demo/pavilion.ifc"))]);
@@ -100,7 +100,7 @@ fn solids_points_boxes_and_samples_in_postgis() {
     );
 }
 
-/// A schema of pgPointcloud whose dimensions stand in another order than ours.
+/// A schema of pgPointcloud whose dimensions are in another order than ours.
 const FORMAT: &str = r#"<?xml version="1.0" encoding="UTF-8"?><pc:PointCloudSchema xmlns:pc="http://pointcloud.org/schemas/PC/1.1">
 <pc:dimension><pc:position>1</pc:position><pc:size>2</pc:size><pc:name>Intensity</pc:name><pc:interpretation>uint16_t</pc:interpretation></pc:dimension>
 <pc:dimension><pc:position>2</pc:position><pc:size>4</pc:size><pc:name>Z</pc:name><pc:interpretation>int32_t</pc:interpretation><pc:scale>0.0001</pc:scale></pc:dimension>
@@ -157,7 +157,7 @@ fn patches_of_pgpointcloud() {
     drop(db);
 }
 
-/// Dump and restore carries extensions, tables and what depends on them.
+/// Dump and restore carry over extensions, tables and what depends on them.
 #[test]
 fn a_bridged_database_is_dumped_and_restored() {
     let Some((db, mut client)) = bridged("bridge_dump", "postgis") else { return };

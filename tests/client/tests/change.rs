@@ -21,7 +21,7 @@ fn object<'a>(report: &'a Value, name: &str) -> &'a Value {
     objects.iter().find(|o| o["name"] == name).unwrap_or_else(|| panic!("no object {name}"))
 }
 
-/// Part of a class among the voxels of an object that both epochs saw.
+/// Share of a class among the voxels of an object that both epochs saw.
 fn share_of_seen(o: &Value, class: &str) -> f64 {
     number(o, class) / (number(o, "total") - number(o, "unknown"))
 }
@@ -39,7 +39,7 @@ fn component<'a>(report: &'a Value, class: &str, min: [f64; 3], max: [f64; 3]) -
         .unwrap_or_else(|| panic!("nothing {class} in {min:?} {max:?}"))
 }
 
-/// The demo building as drawn, and then as demo/changes.json says; always there.
+/// The demo building as drawn, and then as demo/changes.json says; always available.
 #[test]
 fn simulated_pavilion() {
     let db = Database::new("change_pavilion");
@@ -100,7 +100,7 @@ fn simulated_pavilion() {
     assert_eq!(csv.lines().count(), 14);
 }
 
-/// Wrong calls say what is wrong and what to do.
+/// Wrong calls report what is wrong and what to do.
 #[test]
 fn wrong_calls() {
     let db = Database::new("change_wrong");
@@ -162,9 +162,10 @@ FROM   (SELECT ab_occupancy_agg(patch, ab_grid(0.02)) AS g FROM scan WHERE epoch
        (SELECT ab_occupancy_agg(patch, ab_grid(0.02)) AS g FROM scan WHERE epoch = 2) new,
        LATERAL ab_summary(ab_change(old.g, new.g, $1), ab_solid(ab_box(2.9, 0.02, 0.02, 3.05, 5.42, 2.98)), 0) s";
 
-/// OctoMap's own scan: 88 206 returns. benches/octomap (OctoMap 1.9, not discretised) counts 40 568 occupied and 3 855 241
-/// free leaves at 5 cm, 23 537 and 794 069 at 10 cm. It keeps rays in single precision: some dozen voxels differ by that.
-/// Discretised, one ray a voxel, it misses 2 % of the free ones; filled between rays we find 60 % more at 5 cm.
+/// OctoMap's own scan: 88 206 returns. benches/octomap (OctoMap 1.9, not discretised) counts 40 568 occupied and 3 855
+/// 241 free leaves at 5 cm, 23 537 and 794 069 at 10 cm. It keeps rays in single precision: some dozen voxels differ by
+/// that. Discretised, with one ray per voxel, it misses 2 % of the free ones; filled between rays, asbuilt finds 60 %
+/// more at 5 cm.
 #[test]
 fn octomap_counts_the_same() {
     let Some(packed) = shared("octomap-share/scan.dat.bz2") else { return };
@@ -195,7 +196,7 @@ fn states(client: &mut Client, voxel: f64, exact: bool) -> [f64; 2] {
     [row.get::<_, i64>(0) as f64, row.get::<_, i64>(1) as f64]
 }
 
-/// A real office against its plan: what a plan gets wrong is seen empty.
+/// A real office against its plan: where the plan is wrong, space is seen empty.
 #[test]
 fn real_room() {
     let (Some(model), Some(scans)) = (shared("real-room/model.ifc"), shared("real-room/scans.e57")) else { return };

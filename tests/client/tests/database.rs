@@ -55,7 +55,7 @@ fn the_tour_join_uses_the_index_and_keeps_unseen_objects() {
     assert_eq!(rows[4].get::<_, &str>(1), "unobserved");
 }
 
-/// With 0, 1 and 2 workers: not nearly, but exactly the same evidence.
+/// With 0, 1 and 2 workers: exactly the same evidence, not nearly.
 #[test]
 fn workers_do_not_change_a_bit() {
     let (_db, mut client) = scene("workers");
@@ -105,7 +105,7 @@ fn long_work_is_cancelled() {
     drop(db);
 }
 
-/// No leak: a thousand calls leave the session's memory where it was.
+/// No leak: a thousand calls do not increase the session's memory.
 #[test]
 fn a_thousand_calls_leak_nothing() {
     let (_db, mut client) = scene("leak");
@@ -197,7 +197,7 @@ fn values_survive_vacuum_full_binary_copy_dump_and_another_schema() {
     assert!(plan(&mut client, "SELECT FROM value WHERE c && ab_box(0, 0, 0, 9, 9, 9)").contains("value_c"));
 }
 
-/// What a functional index or a replica needs: the same value wherever and whenever it is computed.
+/// What an index on an expression or a replica needs: the same value wherever and whenever it is computed.
 #[test]
 fn immutable_functions_do_not_follow_settings() {
     let (_db, mut client) = Database::with_extension("settings");

@@ -2,7 +2,7 @@
 
 use asbuilt_client_tests::{Database, project, scratch, shared, text};
 
-/// The demo building, built as demo/changes.json says; always there.
+/// The demo building, built as demo/changes.json says; always available.
 #[test]
 fn simulated_pavilion() {
     let db = Database::new("pavilion");
@@ -47,7 +47,8 @@ fn simulated_pavilion() {
     std::fs::remove_file(scan).unwrap();
 }
 
-/// Scans of two states of the building taken for one: what was there and was not contradicts itself, the rest agrees.
+/// Scans of two states of the building taken for one: where something was present in only one of them, they contradict
+/// each other; the rest agrees.
 #[test]
 fn two_epochs_as_one() {
     let db = Database::new("two_as_one");
@@ -113,7 +114,7 @@ fn real_room() {
     assert_eq!(db.verify(&["--loa", "LOA20", "--model", "meyer2022"]).len(), v.len());
 }
 
-/// What is forecast of the demo is what its scans then prove.
+/// What is forecast for the demo is what its scans then prove.
 #[test]
 fn forecast_comes_true() {
     let db = Database::new("forecast");

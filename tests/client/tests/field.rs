@@ -1,11 +1,11 @@
-//! Files as the field writes them, all the way to verdicts; models with products that cannot be meshed.
+//! Files from the field, all the way to verdicts; models with products that cannot be meshed.
 
 use std::fmt::Write as _;
 use std::fs;
 
 use asbuilt_client_tests::{Database, project, scratch, text};
 
-/// Scans of two walls, how they are read, a word that is said, and the verdicts that are right for both.
+/// Scans of two walls, how they are read, a word of the note, and the right verdicts for both.
 type Pair = (&'static [&'static str], &'static [&'static str], &'static str, &'static [&'static str]);
 
 const PAIRS: [Pair; 4] = [
@@ -36,7 +36,7 @@ fn both_walls_stand() {
     }
 }
 
-/// A STEP file in the making.
+/// A STEP file being built.
 struct Step {
     text: String,
     last: u32,
@@ -53,7 +53,7 @@ impl Step {
         self.add(&format!("IFCCARTESIANPOINT(({x:?},{y:?},{z:?}))").replace('e', "E"))
     }
 
-    /// A product, or an opening, of extruded profiles that lie somewhere in some direction.
+    /// A product, or an opening, of extruded profiles in any place and direction.
     fn product(&mut self, class: &str, name: &str, at: [f64; 3], axes: &str, profile: &str, depth: f64) -> u32 {
         let (point, profile) = (self.point(at), self.add(profile));
         let place = self.add(&format!("IFCAXIS2PLACEMENT3D(#{point},{axes})"));

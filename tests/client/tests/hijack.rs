@@ -1,4 +1,4 @@
-//! Who may CREATE in a schema on a user's search path runs no code as whoever runs the program.
+//! A role that may CREATE in a schema on a user's search path runs no code as the user who runs the program.
 //!
 //! Everything planted raises HIJACKED when it is called.
 
@@ -39,7 +39,7 @@ fn scan(db: &Database) -> std::path::PathBuf {
     file
 }
 
-/// What is planted beside what the program means; the same with the extension in another schema, and in that one.
+/// What is planted beside what the program means to call; with the extension in another schema, and in that one.
 fn plants() -> Vec<(&'static str, String)> {
     let model = "loa ext.ab_loa, model text, spacing text, sigma_range text, sigma_angle text, sigma_station text, confidence text";
     let verify = "objects text, scans text, keep_evidence boolean";
@@ -139,7 +139,7 @@ fn planted_functions_operators_and_types_are_not_called() {
     std::fs::remove_file(scan).unwrap();
 }
 
-/// The extension in the schema in which others plant: what is called is called with its exact types.
+/// The extension in the schema in which others plant: every call has the exact types.
 #[test]
 fn plants_beside_the_extension() {
     let db = Database::new("hijack_beside");
@@ -182,7 +182,7 @@ fn plants_beside_the_extension() {
     std::fs::remove_file(scan).unwrap();
 }
 
-/// Columns as the program's own.
+/// Columns like those of the program's tables.
 const STATION: &str = "CREATE TABLE public.station (id bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY, epoch integer NOT NULL, name text NOT NULL, pose ext.ab_pose, sensor text, source text NOT NULL);";
 
 #[test]

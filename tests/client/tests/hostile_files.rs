@@ -1,4 +1,5 @@
-//! Files made to bring the loader down: each is an error that names the file, soon, with exit code 1, and leaves nothing.
+//! Files made to bring the loader down: each gives an error that names the file, quickly, with exit code 1, and leaves
+//! nothing behind.
 
 use std::fs;
 use std::path::PathBuf;
@@ -63,7 +64,7 @@ fn laz_cases() -> Vec<(PathBuf, &'static str)> {
         ),
         (case("chunk_variable.laz", &|b| put(b, vlr + 12, &u32::MAX.to_le_bytes())), ""),
         (case("count.laz", &|b| put(b, 107, &u32::MAX.to_le_bytes())), "promises 4294967295 points"),
-        // Records that have no room are passed over.
+        // Records that have no room are skipped.
         (case("vlrs.laz", &|b| put(b, 100, &u32::MAX.to_le_bytes())), ""),
         (case("points_far.laz", &|b| put(b, 96, &u32::MAX.to_le_bytes())), "records before points"),
         (case("points_near.laz", &|b| put(b, 96, &1u32.to_le_bytes())), "records before points"),
@@ -157,7 +158,7 @@ fn ifc_cases() -> Vec<(PathBuf, &'static str)> {
     ]
 }
 
-/// Refused, or loaded (where nothing is expected), but never more than an error.
+/// The file is refused, or loaded (where nothing is expected), but never causes more than an error.
 fn check(db: &Database, file: &PathBuf, reason: &str, more: &[&str]) {
     let start = Instant::now();
     let out = db.command(&[&["load", text(file)][..], more].concat()).output().unwrap();
@@ -203,7 +204,7 @@ fn models_that_are_deep_or_long() {
     }
 }
 
-/// A file that is honest, but larger than the budget.
+/// An honest file that is larger than the budget.
 #[test]
 fn more_than_the_budget_is_an_error() {
     let db = Database::new("hostile_budget");
@@ -224,7 +225,7 @@ fn more_than_the_budget_is_an_error() {
     assert!(said.contains("pavilion.ifc"), "{said}");
 }
 
-/// The reading process ends with the program, however that ends.
+/// The reading process ends with the program, however the program ends.
 #[test]
 fn no_reader_is_left_behind() {
     let db = Database::new("hostile_orphan");

@@ -1,11 +1,11 @@
-//! What files are told to hold, without a database; and loads that are only tried.
+//! What files are reported to hold, without a database; and dry runs of loading.
 
 use std::fs;
 
 use asbuilt_client_tests::{Database, project, scratch, text};
 use serde_json::Value;
 
-/// Runs inspect where no server is.
+/// Runs inspect where there is no server.
 fn inspect(db: &Database, args: &[&str]) -> (bool, Value) {
     let args = [&["inspect", "--format", "json"], args].concat();
     let out = db.command(&args).env("PGHOST", "/nowhere").output().unwrap();

@@ -1,11 +1,11 @@
-//! Tables of older programs are brought up to date, by whom may do it, and no row is lost.
+//! Tables of older programs are brought up to date by those who may do it, and no row is lost.
 
 use std::process::Output;
 
 use asbuilt_client_tests::{Database, Roles, project, scratch, text};
 use postgres::Client;
 
-/// The tables as 0.1.0 made them, and every program until scan had a key.
+/// The tables as 0.1.0 creates them, and every program before scan had a key.
 const OLD: &str = "
 CREATE TABLE building_object (
     id         bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY,
@@ -65,7 +65,7 @@ fn file(name: &str) -> std::path::PathBuf {
     file
 }
 
-/// The layout that is written down, the number of keys of scan, and whether they are its primary key.
+/// The recorded layout, the number of keys of scan, and whether they are its primary key.
 fn layout(client: &mut Client) -> (i32, i64, bool) {
     let sql = "SELECT (SELECT layout FROM asbuilt_layout), (SELECT count(DISTINCT id) FROM scan),
         EXISTS (SELECT FROM pg_index WHERE indrelid = 'scan'::regclass AND indisprimary)";
@@ -124,7 +124,7 @@ fn a_new_database_has_a_key_and_its_layout() {
     assert!(!back.asbuilt(&["load", text(&file("fresh.xyz"))]).contains("brought to"));
 }
 
-/// The database of 0.1.0, its extension not updated yet, dumped and restored.
+/// The database of 0.1.0, with its extension not yet updated, dumped and restored.
 #[test]
 fn a_database_of_0_1_0_is_migrated() {
     let db = Database::new("layout_010");
@@ -186,7 +186,7 @@ fn a_member_of_the_owning_role_migrates_and_others_are_told() {
     drop(client);
 }
 
-/// Loaders that start together migrate once.
+/// Loaders that start at the same time migrate once.
 #[test]
 fn at_the_same_time() {
     let (db, mut client) = Database::with_extension("layout_race");

@@ -1,4 +1,4 @@
-//! The loader: every format, replacing, and leaving nothing half done.
+//! The loader: every format, replacing earlier loads, and leaving nothing half done.
 
 use std::fs;
 use std::time::Duration;
@@ -219,7 +219,8 @@ fn what_the_file_says_is_read_as_meant() {
     assert!(near.contains("nearer than --min-range"), "{near}");
 }
 
-/// Two folders, one name: refused in one call, said in two; after a failure the files not reached are named.
+/// One name in two folders: refused in one call, reported over two calls; after a failure the files not reached are
+/// named.
 #[test]
 fn files_of_one_name_and_files_not_reached() {
     let db = Database::new("names");
@@ -237,8 +238,8 @@ fn files_of_one_name_and_files_not_reached() {
     assert!(said.contains("not loaded: ") && said.contains("same.xyz"), "{said}");
 }
 
-/// A colleague with rights on the tables, not their owner, loads; without them the error says what is wanted. Loaders
-/// of one file at the same time wait for each other.
+/// A colleague with rights on the tables, though not their owner, can load; without the rights the error says what is
+/// needed. Loaders of one file at the same time wait for each other.
 #[test]
 fn others_load_too_and_at_the_same_time() {
     let db = Database::new("others");
@@ -267,7 +268,7 @@ fn others_load_too_and_at_the_same_time() {
     assert_eq!(count(&mut client, "SELECT count(*) FROM building_object"), 13);
 }
 
-/// Nobody reads what it says: it loads all the same.
+/// With nobody reading its output it loads all the same.
 #[test]
 fn a_closed_standard_error_does_not_stop_it() {
     let db = Database::new("closed");
@@ -305,7 +306,7 @@ fn a_killed_verify_leaves_no_query_behind() {
     assert!(ended, "the query still runs 5 s after its client is gone");
 }
 
-/// A file is one transaction: a connection that dies in the middle leaves nothing of it.
+/// A file is one transaction: a connection that dies in the middle leaves nothing behind.
 #[test]
 fn a_lost_connection_leaves_nothing() {
     let db = Database::new("lost");

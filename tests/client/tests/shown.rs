@@ -1,4 +1,4 @@
-//! What others wrote (names in files, names of files, passwords) is safe to look at, and exact where programs read it.
+//! What others wrote (names in files, names of files, passwords) is safe to display, and exact where programs read it.
 
 use std::path::PathBuf;
 use std::process::Output;
@@ -17,7 +17,7 @@ fn model(name: &str) -> PathBuf {
     file
 }
 
-/// Nothing that a terminal would obey.
+/// Checks for anything that a terminal would obey.
 fn is_safe(bytes: &[u8]) {
     let text = std::str::from_utf8(bytes).unwrap();
     let bad = |c: &char| {
@@ -76,7 +76,7 @@ fn names_of_objects() {
     }
 }
 
-/// Names of files, what stands in files, and what is wrong on the command line.
+/// Names of files, contents of files, and mistakes on the command line.
 #[test]
 fn messages_and_errors() {
     let db = Database::new("shown_errors");

@@ -1,4 +1,4 @@
-//! Who only reads needs a server that can only be read.
+//! Commands that only read work on a server that can only be read.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -1,4 +1,5 @@
-//! From the first released SQL to today's: what was stored answers as before, and nothing tells the two apart.
+//! From the first released SQL to the current one: what was stored answers as before, and an updated extension cannot
+//! be told from a fresh one.
 
 use std::collections::BTreeSet;
 
@@ -37,7 +38,7 @@ fn answer(client: &mut Client) -> String {
     client.query_one(ANSWERS, &[]).unwrap().get::<_, Option<String>>(0).expect("there are answers")
 }
 
-/// Ten nearest of what the index and a sort say.
+/// The ten nearest, by the index and by a sort.
 fn nearest(client: &mut Client, by_index: bool) -> Vec<f64> {
     client.batch_execute(&format!("SET enable_seqscan = {}; SET enable_indexscan = {by_index}", !by_index)).unwrap();
     let sql = "SELECT patch <-> ab_box(4, 0, 1, 4, 0, 1) FROM scan ORDER BY patch <-> ab_box(4, 0, 1, 4, 0, 1)";
@@ -46,7 +47,7 @@ fn nearest(client: &mut Client, by_index: bool) -> Vec<f64> {
     rows.iter().map(|r| r.get(0)).collect()
 }
 
-/// Every object of the extension with all that the catalogue says of it.
+/// Every object of the extension with all that the catalogue says about it.
 fn catalogue(client: &mut Client) -> BTreeSet<String> {
     let sql = "
     WITH member AS (SELECT d.classid, d.objid FROM pg_depend d JOIN pg_extension x ON d.refobjid = x.oid AND d.refclassid = 'pg_extension'::regclass WHERE x.extname = 'asbuilt' AND d.deptype = 'e')

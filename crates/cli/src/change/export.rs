@@ -1,4 +1,4 @@
-//! Coloured voxels as PLY, LAS or LAZ: the colours of Meyer's Figure 7.2.
+//! Coloured voxels as PLY, LAS or LAZ: the colours of Meyer (2022), Fig. 7.2.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -40,12 +40,12 @@ fn kind(path: &Path) -> Result<Kind> {
     }
 }
 
-/// Fails early where the name tells no format.
+/// Fails early where the name indicates no format.
 pub fn check(path: &Path) -> Result<()> {
     kind(path).map(|_| ())
 }
 
-/// Writes the centres of all voxels of the comparison, which are so many; returns their number.
+/// Writes the centres of all voxels of the comparison, whose number is given; returns how many were written.
 pub fn write(tiles: &[Tile], count: u64, path: &Path) -> Result<u64> {
     // A file that is cut short is not left behind under the name asked for.
     let part = PathBuf::from(format!("{}.part", path.display()));

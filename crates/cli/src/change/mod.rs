@@ -1,7 +1,7 @@
 //! What changed between two epochs, or between model and epoch.
 //!
 //! * [`tiles`]: the comparison, tile by tile;
-//! * [`tally`]: voxels of objects, components and the whole;
+//! * [`tally`]: voxels of objects, of components and in total;
 //! * [`report`]: the same, printed;
 //! * [`export`]: coloured voxels as PLY, LAS or LAZ.
 

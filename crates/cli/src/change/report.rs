@@ -1,4 +1,4 @@
-//! Objects, components and the whole, printed.
+//! Objects, components and totals, printed.
 
 use anyhow::Result;
 use asbuilt_core::voxel::Component;
@@ -113,7 +113,7 @@ impl Report {
     }
 }
 
-/// Parts of the total; NULL of nothing.
+/// Shares of the total; NULL if the total is zero.
 fn shares(voxels: &[u64; 5]) -> Vec<Value> {
     let total: u64 = voxels.iter().sum();
     let share = |n: &u64| if total == 0 { Value::Null } else { rounded(Some(*n as f64 / total as f64), 4) };

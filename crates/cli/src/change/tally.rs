@@ -1,4 +1,4 @@
-//! Voxels of objects, components and the whole, counted from the changes of the tiles.
+//! Voxels of objects, of components and in total, counted from the changes of the tiles.
 
 use anyhow::Result;
 use asbuilt_core::geometry::{Aabb, Solid};
@@ -32,16 +32,16 @@ pub struct Counted {
     solid: Option<Solid>,
 }
 
-/// How components are put together.
+/// How components are formed.
 pub struct Parts {
-    /// Least voxels.
+    /// Least number of voxels.
     pub least: u64,
-    /// Voxels with less than this gap hang together, metres; four voxels where it is not given.
+    /// Voxels with less than this gap are connected, metres; four voxels if it is not given.
     pub gap: Option<f64>,
 }
 
 impl Report {
-    /// Counts. Voxels of an object are those that it touches, or that lie within the tolerance of these.
+    /// Counts voxels. Those of an object are the ones that it touches, or that lie within the tolerance of these.
     pub fn of(tx: &mut Transaction, names: &Names, tiles: &[Tile], tolerance: f64, parts: &Parts) -> Result<Self> {
         let mut out = Self { objects: objects(tx, names)?, components: Vec::new(), total: [0; 5], voxel_volume: 0.0 };
         let mut whole: Option<Change> = None;
@@ -62,7 +62,7 @@ impl Report {
         Ok(out)
     }
 
-    /// Components want the whole at once; where that takes too much memory, the objects are known all the same.
+    /// Components need the whole change at once; where that takes too much memory, the objects are still reported.
     fn find_components(&mut self, whole: &Change, parts: &Parts) -> Result<()> {
         let gap = parts.gap.unwrap_or(4.0 * whole.grid().voxel);
         let most = AtOnce(usize::try_from(memory::budget() / 4).unwrap_or(usize::MAX));
@@ -96,7 +96,7 @@ impl Counted {
         Ok(Self { name: row.get(0), global_id: row.get(1), voxels: [0; 5], solid })
     }
 
-    /// Adds what a tile holds of the object.
+    /// Adds the object's voxels in a tile.
     fn count(&mut self, change: &Change, near: &Aabb, tolerance: f64) -> Result<()> {
         let Some(solid) = self.solid.as_ref().filter(|s| s.bounds().overlaps(near)) else { return Ok(()) };
         let grid = change.grid();

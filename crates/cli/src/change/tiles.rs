@@ -1,5 +1,5 @@
-//! The comparison, tile by tile, by the server; its result is kept here, so that a server that nothing may be written to
-//! (a hot standby) compares as well.
+//! The comparison, tile by tile, by the server; its result is kept here, so that a server that cannot be written to (a
+//! hot standby) can compare, too.
 
 use anyhow::{Result, bail};
 use asbuilt_core::NEVER;
@@ -36,7 +36,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// What the server takes where none is given.
+    /// The server's default where none is given.
     pub fn tolerance(&self) -> f64 {
         self.tolerance.unwrap_or(self.margin.min(8.0 * self.voxel))
     }
@@ -74,7 +74,7 @@ fn of_epoch(parameter: usize) -> String {
     )
 }
 
-/// The same from the model; an object without inside fills the voxels of its surface.
+/// The same from the model; an object without an inside fills the voxels of its surface.
 const OF_MODEL: &str = "
 (SELECT coalesce(@ext.ab_rollup_agg(@ext.ab_voxelize(solid, $3::float8,
             CASE WHEN @ext.ab_closedness(solid) = 'open surface'::text THEN 'surface'::text ELSE 'centre'::text END,

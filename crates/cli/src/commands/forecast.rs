@@ -148,7 +148,7 @@ fn print_objects(args: &ForecastArgs, objects: &[Object], evidence: &[Evidence],
     table.print(args.format)
 }
 
-/// Proposes further stations, each where it sees most of what none before it does.
+/// Proposes further stations, each where it sees most of what no station before it sees.
 fn propose(
     args: &ForecastArgs,
     room: &Room,

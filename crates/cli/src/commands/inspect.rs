@@ -55,7 +55,7 @@ pub fn run(args: &InspectArgs) -> Result<()> {
     Ok(())
 }
 
-/// What there is to say of a file.
+/// Everything to say about a file.
 fn inspected(file: &Path, reading: &ReadingArgs) -> Value {
     let form = read::form(file);
     let name = form.as_ref().map(|f| f.name()).ok();
@@ -107,7 +107,7 @@ fn scan(head: &ScanHead, packed: Option<&Packed>) -> Value {
     })
 }
 
-/// Least and greatest corner; none of an empty box.
+/// Lower and upper corner; null for an empty box.
 fn corners(b: &Aabb) -> Option<[[f64; 3]; 2]> {
     (0..3).all(|i| b.min[i] <= b.max[i]).then_some([b.min, b.max])
 }

@@ -93,7 +93,7 @@ fn drawn(p: &Product) -> Result<Drawn<'_>> {
     Ok(Drawn { name: &p.name, global_id: &p.global_id, solid: p.solid()? })
 }
 
-/// The output is E57 and none of the inputs.
+/// Checks that the output is E57 and not one of the inputs.
 fn check_output(args: &SimulateArgs) -> Result<()> {
     if !args.out.extension().is_some_and(|e| e.eq_ignore_ascii_case("e57")) {
         bail!("--out {}: scans are written as E57; give a name that ends in .e57", args.out.display());
@@ -106,7 +106,7 @@ fn check_output(args: &SimulateArgs) -> Result<()> {
     }
 }
 
-/// Most beams of one call: they are in memory, and so is the file.
+/// Most beams of one call: they are held in memory, and so is the file.
 const MAX_BEAMS: f64 = 200e6;
 
 fn check_size(scanner: &Scanner, stations: usize) -> Result<()> {
@@ -152,7 +152,7 @@ fn scanner(args: &SimulateArgs) -> Result<Scanner> {
     })
 }
 
-/// Scanner positions, one a line.
+/// Scanner positions, one per line.
 pub fn read_stations(path: &Path) -> Result<Vec<Vec3>> {
     let text = std::fs::read_to_string(path).with_context(|| format!("{}: cannot read it", path.display()))?;
     let mut out = Vec::new();

@@ -1,4 +1,4 @@
-//! `asbuilt verify`: the query of the tour, printed.
+//! `asbuilt verify`: the query with `ab_verify_table`, printed.
 
 use anyhow::Result;
 use asbuilt_core::evidence::{Loa, SensorPreset};
@@ -54,7 +54,8 @@ pub struct VerifyArgs {
     database: DatabaseArgs,
 }
 
-/// Every literal has its type and every name its schema: what others have planted beside the extension matches less well.
+/// Every literal has its type and every name its schema, so that what others have planted beside the extension matches
+/// less well.
 const VERDICTS: &str = "
 SELECT o.name, o.global_id, o.ifc_class, o.storey, coalesce($2::text, o.loa::text), s.verdict, s.best_loa::text, s.samples,
        s.coverage, s.confirmed, s.refuted, s.open, s.conflict, s.deviation, s.deviation_sd, s.shift
@@ -64,7 +65,7 @@ JOIN   @ext.ab_verify_table(
            $1::text, NULL::@ext.ab_evidence_model, false, NULL::float8, NULL::float8, NULL::float8) s ON s.id = o.id
 ORDER  BY o.id";
 
-/// What is verified, a template of PostgreSQL's `format`.
+/// What is verified, as a template for PostgreSQL's `format`.
 const OBJECTS: &str = "
 SELECT id, solid, @ext.ab_evidence_model(loa => coalesce(%L::@ext.ab_loa, loa), model => %L::text, spacing => %L::float8,
        sigma_range => %L::float8, sigma_angle => %L::float8, sigma_station => %L::float8, confidence => %L::float8)

@@ -13,7 +13,7 @@ pub fn var(name: &str) -> Option<String> {
     env::var(name).ok().filter(|v| !v.is_empty())
 }
 
-/// Neither the text nor what the parser says of it is shown: both may hold a password or parts of one.
+/// Neither the text nor what the parser says about it is shown: both may contain a password or parts of one.
 const NO_URL: &str = "--db is no connection URL (its text is not shown, for a password may be in it); write \
     postgresql://user@host/name or \"host=… port=… user=… dbname=…\", give the password in PGPASSWORD or ~/.pgpass, \
     or write its signs @ : / ? # % as %40 %3A %2F %3F %23 %25";

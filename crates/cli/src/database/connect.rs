@@ -20,11 +20,11 @@ pub struct DatabaseArgs {
     schema: Option<String>,
 }
 
-/// A connection with the names that its statements are written with.
+/// A connection, with the names that its statements use.
 pub struct Database {
     pub client: Client,
     pub names: Names,
-    /// Where the user's own statements would make something.
+    /// The schema in which the user's own statements would create something.
     pub current_schema: Option<String>,
 }
 
@@ -86,7 +86,7 @@ pub fn set_path(client: &mut impl postgres::GenericClient, path: &str) -> Result
     client.execute(set, &[&path]).map(drop).map_err(explain)
 }
 
-/// Schemas on the user's search path in which tables can be; then the path is ours.
+/// Schemas on the user's search path in which tables can be, read before the path is replaced by the program's.
 fn user_schemas(client: &mut Client) -> Result<Vec<String>> {
     let row = client.query_one("SELECT pg_catalog.current_schemas(false)", &[]).map_err(explain)?;
     set_path(client, "pg_catalog, pg_temp")?;
@@ -110,7 +110,7 @@ fn extension(client: &mut Client) -> Result<Option<String>> {
     Ok(Some(row.get(0)))
 }
 
-/// The first of these schemas that holds one of the tables, whatever it is.
+/// The first of these schemas that holds something under the name of one of the tables.
 fn home(client: &mut Client, schemas: &[String]) -> Result<Option<String>> {
     let sql = "SELECT n.nspname FROM pg_catalog.pg_class c JOIN pg_catalog.pg_namespace n ON n.oid = c.relnamespace
         WHERE c.relname IN ('building_object'::name, 'station'::name, 'scan'::name)";

@@ -1,15 +1,15 @@
-//! The tables of the tour, as they are made and as they are known again.
+//! The tables of models and scans: how they are created and how they are recognised.
 
-/// A table of the tour.
+/// A table of models or scans.
 pub struct TableOf {
     pub name: &'static str,
-    /// What makes it; `@` names are completed by [`super::names::Names::sql`].
+    /// The statement that creates it; `@` names are completed by [`super::names::Names::sql`].
     pub ddl: &'static str,
-    /// Columns by which it is known to be ours: name and type, those of the extension with `ab_`.
+    /// Columns by which it is recognised: name and type, those of the extension with `ab_`.
     pub columns: &'static [(&'static str, &'static str)],
 }
 
-/// What the loader fills and the verdict reads, in the order in which they are made.
+/// What the loader fills and the verdict reads, in the order in which they are created.
 pub const TOUR: [TableOf; 3] = [
     TableOf {
         name: "building_object",
@@ -76,10 +76,10 @@ pub const TOUR: [TableOf; 3] = [
     },
 ];
 
-/// Layout of the tables that this program makes. 1: as by 0.1.0; 2: `scan.id`.
+/// Layout of the tables that this program creates. 1: as in 0.1.0; 2: with `scan.id`.
 pub const LAYOUT: i32 = 2;
 
-/// Holds the number of their layout, for programs to come.
+/// Holds the number of their layout, for newer programs.
 pub const LAYOUT_TABLE: TableOf = TableOf {
     name: "asbuilt_layout",
     ddl: "CREATE TABLE @asbuilt_layout (
@@ -91,7 +91,7 @@ pub const LAYOUT_TABLE: TableOf = TableOf {
     columns: &[("layout", "int4")],
 };
 
-/// What brings tables of a layout to the next, and how it is told.
+/// The statements that bring tables of one layout to the next, and how the user is told.
 pub const MIGRATIONS: [(i32, &str, &str); 1] = [(
     1,
     "ALTER TABLE @scan ADD COLUMN id bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY",

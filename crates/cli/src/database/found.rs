@@ -1,4 +1,4 @@
-//! What is there under the names of our tables, and whether it may be used.
+//! What exists under the names of the program's tables, and whether it may be used.
 
 use anyhow::{Result, bail};
 use postgres::{GenericClient, Row};
@@ -7,12 +7,12 @@ use super::connect::explain;
 use super::ddl::{LAYOUT_TABLE, TOUR, TableOf};
 use super::names::Names;
 
-/// The tables that there are.
+/// The tables that exist.
 pub struct Found {
-    /// Those of the tour, in its order: owner and whether the current user may act for it.
+    /// The model and scan tables in their order: owner, and whether the current user may act for the owner.
     pub tour: [Option<Owner>; 3],
     pub layout_table: Option<Owner>,
-    /// The layout in which the tables are, `None` where one of them is missing.
+    /// The layout that the tables have; `None` where one of them is missing.
     pub layout: Option<i32>,
     /// The layout that is written down.
     pub written: Option<i32>,
@@ -21,7 +21,7 @@ pub struct Found {
 #[derive(Debug, Clone)]
 pub struct Owner {
     pub name: String,
-    /// It is the current user, or one as whom the current user may act.
+    /// The owner is the current user, or one for whom the current user may act.
     pub is_ours: bool,
 }
 
@@ -31,8 +31,8 @@ impl Found {
     }
 }
 
-/// A relation under a name of ours. Trusted are the current user, the roles it is a member of (which for a superuser
-/// `pg_has_role` does not tell), the owner of the database and superusers.
+/// A relation under one of the program's names. Trusted are the current user, the roles it is a member of (which
+/// `pg_has_role` does not tell for a superuser), the owner of the database and superusers.
 const RELATION: &str = "
 WITH RECURSIVE mine(role) AS (
   SELECT r.oid FROM pg_catalog.pg_roles r WHERE r.rolname = current_user
@@ -60,7 +60,7 @@ WHERE  a.attrelid = $1::oid AND a.attnum > 0::int2 AND NOT a.attisdropped";
 
 const WAY_OUT: &str = "keep the tables of asbuilt in a schema of their own: CREATE SCHEMA name, and give --schema name";
 
-/// Looks, and refuses what is not ours.
+/// Looks, and refuses what is not the program's.
 pub fn look(client: &mut impl GenericClient, names: &Names) -> Result<Found> {
     let mut tour = [None, None, None];
     let mut has_key = false;
@@ -111,7 +111,7 @@ fn relation(client: &mut impl GenericClient, names: &Names, table: &TableOf) -> 
     Ok(Some((Owner { name: owner, is_ours: row.get(4) }, columns)))
 }
 
-/// Whether the scan table has its key; a column of that name which is none stands in the way.
+/// Whether the scan table has its key; a column of that name that is no key is an error.
 fn is_key(names: &Names, columns: &[Row]) -> Result<bool> {
     let Some(id) = columns.iter().find(|c| c.get::<_, &str>(0) == "id") else { return Ok(false) };
     if id.get::<_, &str>(1) != "int8" || !id.get::<_, bool>(3) {

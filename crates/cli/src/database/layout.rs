@@ -1,4 +1,4 @@
-//! Makes the tables, and brings those of older programs up to date.
+//! Creates the tables, and brings those of older programs up to date.
 
 use anyhow::{Context, Result, bail};
 use postgres::{IsolationLevel, Transaction};
@@ -9,8 +9,8 @@ use super::found::{Found, Owner, look};
 use super::names::{Names, quoted};
 use crate::output::say;
 
-/// Makes extension and tables where they are missing, and brings them up to date. Where nothing is to be done, nothing
-/// is locked and no right to make tables is asked for.
+/// Creates the extension and the tables where they are missing, and brings them up to date. Where there is nothing to
+/// do, nothing is locked and no right to create tables is needed.
 pub fn make(db: &mut Database) -> Result<()> {
     if is_made(db)? {
         return Ok(());
@@ -25,12 +25,12 @@ pub fn make(db: &mut Database) -> Result<()> {
     Ok(())
 }
 
-/// Whether extension and tables are there and up to date.
+/// Whether the extension and the tables exist and are up to date.
 pub fn is_made(db: &mut Database) -> Result<bool> {
     Ok(db.names.extension.is_some() && is_current(&look(&mut db.client, &db.names)?)?)
 }
 
-/// The same within a transaction: the names from then on, and what was done.
+/// The same within a transaction: returns the names to use from then on, and what was done.
 pub fn make_within(tx: &mut Transaction, names: &Names, current: Option<&str>) -> Result<(Names, Vec<String>)> {
     let lock = "SELECT pg_catalog.pg_advisory_xact_lock(pg_catalog.hashtext('asbuilt tables'::text)::int8)";
     tx.execute(lock, &[]).map_err(explain)?;
@@ -43,8 +43,8 @@ pub fn make_within(tx: &mut Transaction, names: &Names, current: Option<&str>) -
     Ok((names, done))
 }
 
-/// Whether there is nothing to do. Where the number of the layout is not written down, but nobody here may write it, the
-/// tables themselves say it.
+/// Whether there is nothing to do. Where the number of the layout is not recorded, and the user may not record it, the
+/// tables themselves tell it.
 fn is_current(found: &Found) -> Result<bool> {
     refuse_newer(found)?;
     let may_write = found.tour.iter().flatten().all(|o| o.is_ours);
@@ -61,7 +61,7 @@ pub fn refuse_newer(found: &Found) -> Result<()> {
     }
 }
 
-/// Makes the extension where the user would make something, with a path on which nothing of others lies.
+/// Creates the extension where the user would create something, with a search path on which others have nothing.
 fn with_extension(tx: &mut Transaction, names: &Names, current: Option<&str>) -> Result<Names> {
     let sql = "SELECT n.nspname FROM pg_catalog.pg_extension x JOIN pg_catalog.pg_namespace n ON n.oid = x.extnamespace
         WHERE x.extname = 'asbuilt'::name";
@@ -107,8 +107,8 @@ fn update(tx: &mut Transaction, names: &Names, found: &Found, done: &mut Vec<Str
     tx.batch_execute(&format!("{}({LAYOUT})", names.sql(write))).map_err(explain)
 }
 
-/// Acts as an owner where that may be, so that members of a role that does not hand down its rights can do what it can,
-/// and what is made belongs to the role.
+/// Acts as the owner where allowed, so that members of a role without inherited rights can do what the role can, and
+/// what is created belongs to the role.
 fn act_as(tx: &mut Transaction, owner: Option<&Owner>) -> Result<()> {
     let Some(owner) = owner.filter(|o| o.is_ours) else { return Ok(()) };
     let role = format!("SET LOCAL ROLE {}", quoted(&owner.name));

@@ -1,6 +1,5 @@
-//! The database: [`connect`] with settings as psql's ([`config`], [`pgpass`]); full [`names`]; the [`tables`] of the
-//! tour, what is [`found`] under their names, how they are made ([`ddl`]) and brought up to date ([`layout`]); binary
-//! [`copy`].
+//! The database: [`connect`] with settings as psql's ([`config`], [`pgpass`]); full [`names`]; the [`tables`], what is
+//! [`found`] under their names, how they are created ([`ddl`]) and brought up to date ([`layout`]); binary [`copy`].
 
 mod config;
 pub mod connect;

@@ -1,6 +1,6 @@
-//! Names as statements are written with: nothing is left to the search path.
+//! The names that statements use: nothing is left to the search path.
 
-/// The tables of the tour, and the one with their layout's number.
+/// The tables of models and scans, and the one with their layout's number.
 pub const TABLES: [&str; 4] = ["building_object", "station", "scan", "asbuilt_layout"];
 
 /// The schemas in which the extension and the tables live.
@@ -39,14 +39,14 @@ impl Names {
         format!("{}.{}", quoted(&self.home), quoted(table))
     }
 
-    /// The same names for a template of PostgreSQL's `format`.
+    /// The same names for a template for PostgreSQL's `format`.
     pub fn for_format(&self) -> Self {
         let doubled = |name: &String| name.replace('%', "%%");
         Self { extension: self.extension.as_ref().map(doubled), home: doubled(&self.home) }
     }
 
-    /// The search path of our own statements. Built-in names come first, so that no name of others can stand for them
-    /// (CVE-2018-1058).
+    /// The search path of the program's own statements. Built-in names come first, so that nobody else's name can take
+    /// their place (CVE-2018-1058).
     pub fn path(&self) -> String {
         let extension = self.extension.as_deref().map_or(String::new(), |e| format!("{}, ", quoted(e)));
         format!("pg_catalog, {extension}pg_temp")

@@ -1,4 +1,4 @@
-//! The password file: `host:port:database:user:password` a line, `*` matches anything.
+//! The password file: one `host:port:database:user:password` per line, `*` matches anything.
 
 use std::path::PathBuf;
 

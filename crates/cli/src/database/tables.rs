@@ -1,4 +1,4 @@
-//! The tables in use: what must be there, and locks and statistics of them.
+//! The tables in use: what must exist, locks and statistics.
 
 use anyhow::{Result, bail};
 use postgres::Transaction;
@@ -38,7 +38,8 @@ pub fn check_epoch(db: &mut Database, epoch: i32) -> Result<()> {
     Ok(())
 }
 
-/// Holds other loaders of the same file and epoch back until this transaction ends; both would replace its rows.
+/// Holds back other loaders of the same file and epoch until this transaction ends; otherwise both would replace its
+/// rows.
 pub fn lock_source(tx: &mut Transaction, source: &str, epoch: i32) -> Result<()> {
     let lock = "SELECT pg_catalog.pg_advisory_xact_lock(pg_catalog.hashtext('asbuilt source'::text),
         pg_catalog.hashtext($1::text))";
@@ -46,7 +47,7 @@ pub fn lock_source(tx: &mut Transaction, source: &str, epoch: i32) -> Result<()>
     Ok(())
 }
 
-/// Statistics for the planner, of the tables that the user may analyse.
+/// Collects statistics for the planner, for the tables that the user may analyse.
 pub fn analyse(db: &mut Database) -> Result<()> {
     let own = "SELECT c.relname FROM pg_catalog.pg_class c JOIN pg_catalog.pg_namespace n ON n.oid = c.relnamespace
         WHERE n.nspname = $1::text::name AND c.relname IN ('building_object'::name, 'scan'::name)

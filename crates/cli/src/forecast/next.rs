@@ -1,4 +1,4 @@
-//! Where one more station would see most of what is not seen yet.
+//! Where one more station would see most of what is still unseen.
 
 use asbuilt_core::geometry::{Aabb, Vec3};
 use asbuilt_core::verify::{EvidenceModel, PlannedStation};
@@ -6,12 +6,12 @@ use rayon::prelude::*;
 
 use super::room::Room;
 
-/// Places tried at the most; on a large site the grid is wider.
+/// Most places that are tried; on a large site the grid is wider.
 const MAX_CANDIDATES: f64 = 900.0;
 /// Samples by which they are judged.
 const MAX_JUDGES: usize = 12_000;
 
-/// A sample that no station sees yet, with the area that it stands for.
+/// A sample that no station sees yet, with the area that it represents.
 #[derive(Debug, Clone, Copy)]
 pub struct Unseen {
     pub position: Vec3,

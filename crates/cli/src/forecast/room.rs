@@ -3,17 +3,17 @@
 use asbuilt_core::geometry::{Closedness, Solid, Vec3};
 use asbuilt_simulate::Scene;
 
-/// A surface this near before a sample, or this far, is the sample's own, metres.
+/// A surface no farther than this in front of a sample is the sample's own, metres.
 const OWN_SURFACE_M: f64 = 0.005;
-/// Room that a scanner needs around it, metres.
+/// Clearance that a scanner needs around it, metres.
 const ELBOW_M: f64 = 0.4;
-/// Two points in the middle of nowhere are told apart by this, metres.
+/// How far beyond a crossing the search for the next one begins, metres.
 const STEP_M: f64 = 1e-6;
 
-/// All solids, as what hides one another.
+/// All solids, as obstacles to one another's sight.
 pub struct Room {
     scene: Scene,
-    /// Each closed solid with its own scene.
+    /// Each closed solid as a scene of its own.
     closed: Vec<(Solid, Scene)>,
 }
 
@@ -31,7 +31,7 @@ impl Room {
         range > 0.0 && self.scene.first_hit(from, &(sight / range)).is_none_or(|hit| hit >= range - OWN_SURFACE_M)
     }
 
-    /// Whether a scanner could stand here: in no solid, and with room around it.
+    /// Whether a scanner could stand here: in no solid, and with clearance around it.
     pub fn can_stand(&self, p: &Vec3) -> bool {
         let around =
             (0..8).map(|k| f64::from(k) * std::f64::consts::FRAC_PI_4).map(|a| Vec3::new(a.cos(), a.sin(), 0.0));

@@ -1,8 +1,8 @@
-//! What is told on standard error.
+//! Messages on standard error.
 
 use std::fmt;
 
-/// Prints a line to standard error, safe to look at; nobody reading it is no reason to stop.
+/// Prints a line to standard error, safe to display; a closed standard error is no reason to stop.
 macro_rules! say {
     ($($arg:tt)*) => {{
         use std::io::Write as _;

@@ -1,5 +1,5 @@
-//! What the user sees: [`table`] (aligned, CSV, JSON), [`message`]s and errors, progress bars. Every text of others
-//! passes [`safe`] before a person looks at it.
+//! What the user sees: [`table`] (aligned, CSV, JSON), [`message`]s and errors, progress bars. Every text from
+//! elsewhere passes through [`safe`] before a person sees it.
 
 mod message;
 mod safe;

@@ -1,4 +1,4 @@
-//! Text of others (names out of files, of the server, of the command line) made safe to look at.
+//! Text from elsewhere (names from files, from the server, from the command line), made safe to display.
 
 use std::fmt::Write;
 
@@ -19,8 +19,8 @@ pub fn safe(text: &str) -> String {
     out
 }
 
-/// Characters without a shape of their own that turn, part or hide what stands around them. Joiners (200C, 200D)
-/// are letters of Persian and Hindi and stay.
+/// Characters without a glyph of their own that reorder, separate or hide the text around them. Joiners (200C, 200D)
+/// are needed to write Persian and Hindi and stay.
 fn misleads(c: char) -> bool {
     matches!(u32::from(c),
         0xAD | 0x61C | 0x180E | 0x200B | 0x200E..=0x200F | 0x2028..=0x202E | 0x2060..=0x206F | 0xFEFF
@@ -63,7 +63,7 @@ fn masked(text: &str) -> String {
     out
 }
 
-/// Whether a text begins with the number of a port, and not with a password whose @ was forgotten.
+/// Whether a text begins with a port number, and not with a password whose @ was forgotten.
 fn is_port(text: &str) -> bool {
     let after = text.trim_start_matches(|c: char| c.is_ascii_digit());
     after.len() < text.len() && (after.is_empty() || after.starts_with(['/', '?', ' ', '\'', '"', ',', ':']))

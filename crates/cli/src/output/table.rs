@@ -42,7 +42,7 @@ impl Table {
         self.print_of(format, "object", "objects")
     }
 
-    /// The same for rows that are something else, named in singular and plural.
+    /// The same for rows of something else, named in singular and plural.
     pub fn print_of(&self, format: Format, one: &str, many: &str) -> Result<()> {
         let mut out = std::io::stdout().lock();
         match format {
@@ -96,7 +96,7 @@ fn text(value: &Value) -> String {
     }
 }
 
-/// A cell of CSV; a text that begins as a formula does is guarded where asked for.
+/// A cell of CSV; a text that begins like a formula is guarded where requested.
 fn cell(value: &Value, guarded: bool) -> String {
     let mut text = text(value);
     if guarded && value.is_string() && text.starts_with(['=', '+', '-', '@', '\t', '\r']) {

@@ -1,4 +1,4 @@
-//! What a file is: by its content, and by its name where the content is text that could be several.
+//! What a file is: by its content, and by its name where the content is text that could be several formats.
 
 use std::fs::File;
 use std::io::Read;
@@ -17,7 +17,7 @@ pub enum Kind {
     Scan,
 }
 
-/// Formats that are read.
+/// The formats that can be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
     Ifc,
@@ -27,12 +27,12 @@ pub enum Form {
     Ply,
     Pcd,
     Ptx,
-    /// A point a line: XYZ, PTS, ASC, TXT, CSV.
+    /// One point per line: XYZ, PTS, ASC, TXT, CSV.
     Text,
 }
 
 impl Form {
-    /// As people call it.
+    /// The name that people use.
     pub fn name(self) -> &'static str {
         match self {
             Self::Ifc => "IFC",
@@ -66,7 +66,8 @@ pub fn kind(path: &Path) -> Result<Kind> {
     Ok(if form(path)? == Form::Ifc { Kind::Model } else { Kind::Scan })
 }
 
-/// What a file is. Files that begin as no format does go by their ending, whose reader says what is wrong with them.
+/// What a file is. Files that begin like no known format are classified by their ending, whose reader says what is
+/// wrong with them.
 pub fn form(path: &Path) -> Result<Form> {
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     let by_name = ENDINGS.iter().find(|(e, _)| *e == ending).map(|(_, form)| *form);
@@ -104,7 +105,7 @@ fn is_text(head: &[u8]) -> bool {
     !head.is_empty() && !text.chars().any(|c| c.is_control() && !c.is_whitespace())
 }
 
-/// Two counts, four lines of three numbers, four of four.
+/// How a PTX begins: two counts, four lines of three numbers, four lines of four.
 fn is_ptx(head: &[u8]) -> bool {
     let text = encoding(head).decode(head).0;
     let mut counts = text.split(['\n', '\r']).filter(|l| !l.trim().is_empty()).map(|l| l.split_whitespace().count());

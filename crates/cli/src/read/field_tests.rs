@@ -1,4 +1,4 @@
-//! Scans as the field writes them, each with its right answer.
+//! Scans as they occur in the field, each with its right answer.
 
 use std::path::{Path, PathBuf};
 
@@ -7,13 +7,13 @@ use indicatif::ProgressBar;
 
 use super::{RawScan, ReadOptions, read_scans};
 
-/// What reading must give.
+/// What reading must return.
 enum Right {
-    /// The five points, all without origin, and words that are said with them.
+    /// The five points, all without origin, and words that a note must contain.
     Five(&'static str),
-    /// Points, and whether they have an origin; words said.
+    /// Number of points, whether they have an origin, and words that a note must contain.
     Points(&'static [[f64; 3]], bool, &'static str),
-    /// So many points, without origin; words said.
+    /// Number of points, without origin, and words that a note must contain.
     Count(usize, &'static str),
     /// An error with these words.
     Refused(&'static str),
@@ -79,7 +79,7 @@ fn judge(path: &Path, options: &ReadOptions, right: &Right) -> Result<(), String
     }
 }
 
-/// Files of the company's folder, where it is there.
+/// Files of the data folder beside the project, where it exists.
 #[test]
 fn files_of_the_field() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data/field");
@@ -139,7 +139,7 @@ fn files_of_the_field() {
     assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
 }
 
-/// The file and what is wrong with it, cut to be read.
+/// The file and what is wrong with it, shortened.
 fn wrong(path: &Path, options: &ReadOptions, right: &Right) -> Option<String> {
     let why = judge(path, options, right).err()?;
     Some(format!("{}: {}", path.display(), why.chars().take(400).collect::<String>()))
@@ -158,7 +158,7 @@ fn pcd(fields: &str, kind: &str, viewpoint: &str, rows: &str) -> String {
     )
 }
 
-/// Files of the same kinds, made here.
+/// Files of the same kinds, generated here.
 #[test]
 fn files_of_our_own() {
     const NONE: &str = "0 0 0 1 0 0 0";
@@ -231,7 +231,7 @@ fn units_that_are_given_count_where_the_file_says_none() {
     assert!(scans[0].notes[0].contains("feet"));
 }
 
-/// A comma that may be either mark is asked for wherever numbers are text, and told by the same option.
+/// A comma that may be either mark raises the same question wherever numbers are text, and the same option answers it.
 #[test]
 fn decimal_commas_are_told() {
     let rows = "1,250 2,500 0,750\n1,500 2,500 0,750\n1,750 2,500 0,750\n1,250 2,750 0,750\n1,500 2,750 1,000\n";
@@ -258,7 +258,7 @@ fn decimal_commas_are_told() {
     }
 }
 
-/// Writes, reads and judges texts; what is wrong with them.
+/// Writes, reads and judges texts; returns what is wrong with them.
 fn wrong_texts(folder: &str, cases: &[(&str, &str, ReadOptions, Right)]) -> String {
     let folder = std::env::temp_dir().join(format!("asbuilt-{folder}-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
@@ -271,7 +271,7 @@ fn wrong_texts(folder: &str, cases: &[(&str, &str, ReadOptions, Right)]) -> Stri
     wrong.join("\n")
 }
 
-/// Rows that do not say themselves where their coordinates stand are refused.
+/// Rows that do not show where their coordinates are, are refused.
 #[test]
 fn texts_that_may_be_read_two_ways() {
     let plain = ReadOptions::default;
@@ -310,7 +310,7 @@ fn texts_that_may_be_read_two_ways() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
-/// Titles say which column is which, in several tongues.
+/// Titles say which column is which, in several languages.
 #[test]
 fn texts_with_titles() {
     const NORTH: &[[f64; 3]] = &[[500_000.25, 5_400_000.5, 100.0], [500_001.25, 5_400_001.5, 101.0]];
@@ -344,7 +344,7 @@ fn texts_with_titles() {
     assert!(wrong.is_empty(), "{wrong}");
 }
 
-/// Points part thousands beside decimal commas, wherever numbers are text.
+/// Points separate thousands beside decimal commas, wherever numbers are text.
 #[test]
 fn german_thousands() {
     const RIGHT: &[[f64; 3]] = &[[1250.5, 2004.25, 100.75], [1251.5, 2004.25, 100.75]];

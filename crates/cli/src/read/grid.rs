@@ -1,6 +1,6 @@
 //! Directions of beams without return, from the scan's grid.
 //!
-//! A scanner turns a mirror (rows) while its head turns (columns). Where a cell of the grid returned nothing, its
+//! A scanner turns a mirror (rows) while its head rotates (columns). Where a cell of the grid returned nothing, its
 //! direction follows from the other cells of its row and column.
 
 use std::f64::consts::PI;
@@ -29,7 +29,7 @@ pub fn missing_directions(cells: &[Cell]) -> Vec<Vec3> {
     cells.iter().filter(|c| c.point.is_none()).filter_map(|c| fit.direction(c)).collect()
 }
 
-/// Cells by which a fit is judged: enough for a median.
+/// Number of cells by which a fit is judged: enough for a median.
 const MOST_CHECKED: usize = 100_000;
 
 struct Fit {
@@ -74,7 +74,7 @@ impl Fit {
         Some(Vec3::new(flat * azimuth.cos(), flat * azimuth.sin(), elevation.sin()))
     }
 
-    /// Whether the fit tells the direction of the cells that did return, to half a step of the grid.
+    /// Whether the fit predicts the direction of the cells that did return, to half a step of the grid.
     fn holds(&self, cells: &[Cell]) -> bool {
         let known: Vec<f64> = self.elevations.iter().flatten().copied().collect();
         let steps = known.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|s| *s > 0.0 && *s < PI / 8.0);

@@ -35,7 +35,7 @@ pub use origin::IdentityPose;
 pub use text::Columns;
 pub use unit::Unit;
 
-/// What a scan file holds, position by position.
+/// What a scan file holds, one value per scanner position.
 #[derive(Debug)]
 pub struct RawScan {
     /// Name in the file, or the file's own.
@@ -48,12 +48,12 @@ pub struct RawScan {
     pub anchor: Vec3,
     /// Beams relative to `anchor`, world axes; with intensity and colour where they were asked for and are there.
     pub content: Content,
-    /// Points that are no points: not finite, or impossibly far.
+    /// Number of unusable points: not finite, or impossibly far.
     pub unusable: u64,
     pub order: Order,
-    /// What the user is to know about it.
+    /// What the user should know about it.
     pub notes: Vec<String>,
-    /// What the file tells of itself: name and value.
+    /// What the file says about itself: name and value.
     pub facts: Facts,
 }
 
@@ -68,7 +68,7 @@ pub enum Order {
 }
 
 impl RawScan {
-    /// Keeps the beams that `keep` says yes to, with what belongs to them.
+    /// Keeps the beams for which `keep` is true, with their attributes.
     pub fn retain(&mut self, keep: impl Fn(&Beam) -> bool) {
         if self.content.beams.iter().all(&keep) {
             return;
@@ -79,13 +79,13 @@ impl RawScan {
     }
 }
 
-/// What a file tells of itself: version, units, attributes, time, in its own words.
+/// What a file says about itself: version, units, attributes, time, in its own words.
 pub type Facts = std::collections::BTreeMap<String, String>;
 
-/// Rotation of a scan whose file gives none.
+/// The rotation of a scan whose file gives none.
 pub const NO_ROTATION: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
-/// Takes scans as they are read.
+/// Receives scans as they are read.
 pub type Sink<'a> = &'a mut dyn FnMut(RawScan) -> Result<()>;
 
 /// Reads every scan of a file. A library that panics on a damaged file becomes an error.
@@ -115,7 +115,7 @@ pub fn silence_panics<T>(work: impl FnOnce() -> T) -> std::thread::Result<T> {
     result
 }
 
-/// What the libraries say of a file that is too short, as a user would.
+/// What the libraries say about a file that is too short, in a user's words.
 fn in_words(error: anyhow::Error) -> anyhow::Error {
     let is_short = error.chain().any(|cause| {
         cause.downcast_ref::<std::io::Error>().is_some_and(|e| e.kind() == std::io::ErrorKind::UnexpectedEof)
@@ -140,7 +140,7 @@ fn scan_of_points(path: &Path, points: Vec<Vec3>, options: &ReadOptions) -> Resu
     scan_of_content(path, Content::of(points.into_iter().map(beam).collect()), options)
 }
 
-/// The same with planes; offsets are world coordinates yet.
+/// The same with attributes; offsets are still world coordinates.
 fn scan_of_content(path: &Path, content: Content, options: &ReadOptions) -> Result<RawScan> {
     let origin = options.origin;
     let world_from_scan = origin.map(|_| NO_ROTATION);
@@ -163,7 +163,7 @@ fn scan_of_content(path: &Path, content: Content, options: &ReadOptions) -> Resu
     Ok(scan)
 }
 
-/// Points at zero to the bit are beams that did not return; their direction is lost.
+/// Points at exactly zero are beams that did not return; their direction is lost.
 fn drop_zeros(scan: &mut RawScan) {
     let all = scan.content.len();
     scan.retain(|b| b.offset != Vec3::zeros());

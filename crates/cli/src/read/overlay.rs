@@ -1,19 +1,19 @@
-//! A file with some of its bytes replaced, and some put behind its end, without a copy of it.
+//! A file with some of its bytes replaced, and some appended, without copying it.
 
 use std::io::{self, Read, Seek, SeekFrom};
 
-/// Bytes to be read instead of what is there.
+/// Bytes to be read instead of those in the file.
 struct Piece {
     start: u64,
     bytes: Vec<u8>,
 }
 
-/// A file of `len` bytes and its mends.
+/// A file of `len` bytes and its corrections.
 pub struct Overlay<R> {
     inner: R,
     len: u64,
     at: u64,
-    /// Where `inner` stands.
+    /// The position of `inner`.
     inner_at: u64,
     pieces: Vec<Piece>,
 }
@@ -24,7 +24,7 @@ impl<R: Read + Seek> Overlay<R> {
         Ok(Self { inner, len, at: 0, inner_at: len, pieces: Vec::new() })
     }
 
-    /// Puts bytes over what stands at `start`, or behind the end.
+    /// Puts bytes over those at `start`, or after the end.
     pub fn put(&mut self, start: u64, bytes: Vec<u8>) {
         self.len = self.len.max(start + bytes.len() as u64);
         self.pieces.push(Piece { start, bytes });

@@ -5,7 +5,7 @@ use asbuilt_core::scan::{Beam, Content};
 use super::ReadOptions;
 use super::text::{Column, Columns};
 
-/// What was measured of every point beside its place.
+/// What was measured of every point besides its place.
 #[derive(Debug, Default)]
 pub struct Planes {
     intensity: Option<Vec<f64>>,
@@ -13,7 +13,7 @@ pub struct Planes {
 }
 
 impl Planes {
-    /// Those that the columns hold and the user wants.
+    /// The attributes that the columns hold and the user wants.
     pub fn wanted(columns: &Columns, options: &ReadOptions) -> Self {
         let has = |c| columns.place(c).is_some();
         let is_coloured = has(Column::Red) && has(Column::Green) && has(Column::Blue);

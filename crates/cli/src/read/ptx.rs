@@ -62,17 +62,17 @@ fn next_count(lines: &mut Lines) -> Result<Option<f64>> {
     }
 }
 
-/// Where a scan's points lie.
+/// The frame of a scan's points.
 struct Pose {
     rotation: Matrix3<f64>,
     anchor: Vec3,
-    /// The points are in the world already.
+    /// The points are in the world frame already.
     are_world: bool,
     notes: Vec<String>,
 }
 
-/// Scanner position and axes (repeated in the matrix), then the matrix of row vectors: a point p of the scanner lies at
-/// p·M.
+/// Scanner position and axes (repeated in the matrix), then the matrix for row vectors: a point p in the scanner's
+/// frame is p·M in the world's.
 fn pose(lines: &mut Lines) -> Result<Pose> {
     let position = Vec3::from(lines.numbers::<3>("the scanner's position")?);
     for what in ["the first axis", "the second axis", "the third axis"] {
@@ -113,7 +113,7 @@ fn pose(lines: &mut Lines) -> Result<Pose> {
     Ok(Pose { rotation, anchor, are_world, notes })
 }
 
-/// Cells, and a note. One column is no grid but a list of points in any order, whose count many writers guess.
+/// Cells, and a note. A single column is not a grid but a list of points in any order, whose count many writers guess.
 fn cells(lines: &mut Lines, columns: u32, rows: u32) -> Result<(Vec<Cell>, Vec<String>)> {
     let (mut out, mut notes) = (Vec::new(), Vec::new());
     let is_list = columns == 1 || rows == 1;

@@ -45,13 +45,13 @@ impl Unit {
     }
 }
 
-/// What a length is called: a unit's name, or its metres.
+/// How a unit is printed: by its name, or by its length in metres.
 pub fn called(metres: f64) -> String {
     let same = |u: &Unit| (u.metres() / metres - 1.0).abs() < 1e-9;
     Unit::ALL.into_iter().find(same).map_or_else(|| format!("units of {metres} m"), |u| u.name().into())
 }
 
-/// What the user says is a mistake where the file itself says otherwise.
+/// An error where the user's unit contradicts the file's.
 pub fn check(told: f64, given: Option<Unit>) -> Result<()> {
     match given {
         // Both feet are the same but for two in a million: a difference nobody would notice by eye.
@@ -62,7 +62,7 @@ pub fn check(told: f64, given: Option<Unit>) -> Result<()> {
     }
 }
 
-/// Offsets and anchor become metres.
+/// Converts offsets and anchor to metres.
 pub fn apply(unit: Option<Unit>, scan: &mut RawScan) {
     let Some(unit) = unit.filter(|u| *u != Unit::M) else { return };
     scan.content.beams.iter_mut().for_each(|b| b.offset *= unit.metres());

@@ -1,4 +1,4 @@
-//! XYZ, PTS and their kin: a point a line. PTS puts the number of points before them, once or cloud by cloud.
+//! XYZ, PTS and similar: one point per line. PTS puts the number of points before them, once or for each cloud.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ use super::text::{Columns, Dialect, Head, Lines};
 use super::unit::Unit;
 use super::{Facts, ReadOptions, Sink, scan_of_content};
 
-/// Reads points; titles and comments are passed over, a count is held against the points.
+/// Reads points; titles and comments are skipped, a count is checked against the points.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
     let mut lines = Lines::open(path, bar)?;
     let head = Head::read(&mut lines, options)?;
@@ -53,7 +53,7 @@ struct Cloud<'a> {
     dialect: Dialect,
     head: &'a Head,
     columns: &'a Columns,
-    /// Coordinates first, and nothing else that is wanted.
+    /// Whether the coordinates come first, and nothing else is wanted.
     is_plain: bool,
     places: [usize; 3],
     /// Number and width of the first row.
@@ -110,12 +110,12 @@ impl<'a> Cloud<'a> {
         Ok(())
     }
 
-    /// The width that a line must have: with an empty cell between tabs its columns have moved.
+    /// Checks the width that a line must have: with an empty cell between tabs its columns would have moved.
     fn must_be(&self, line: &str) -> Option<Width> {
         self.width.or_else(|| line.contains("\t\t").then_some(self.first.1))
     }
 
-    /// Coordinates first, parted as the lines before.
+    /// The coordinates come first, separated as in the lines before.
     fn plain(&self, line: &str) -> Option<[f64; 3]> {
         let dialect = if line.contains(',') { self.dialect.learn(line)? } else { self.dialect };
         dialect.point(line, self.must_be(line))
@@ -126,7 +126,7 @@ impl<'a> Cloud<'a> {
         self.points.iter_mut().for_each(|p| p.offset *= unit.metres());
     }
 
-    /// A word where a PTS promises less than it holds; an error where it promises more.
+    /// A note where a PTS promises fewer points than it holds; an error where it promises more.
     fn held_against_promise(&self) -> Result<Vec<String>> {
         let held = self.points.len() as u64;
         match self.promised {

@@ -24,14 +24,14 @@ impl Loa {
         0.5 * self.upper()
     }
 
-    /// Probability that a model of this class lies within ±`within` metres: 2Φ(x/σ)−1 (M Tab. 5.2).
+    /// Probability that a model of this class lies within ±`within` metres: 2Φ(x/σ)−1 (Meyer (2022), Table 5.2).
     pub fn confidence(self, within: f64) -> Result<f64> {
         Ok(2.0 * cdf(positive("the distance", within)? / self.sigma()) - 1.0)
     }
 }
 
-/// A belief that holds within ±σ_from, as what it is worth within ±σ_to, by quantiles: 2Φ(z σ_to/σ_from)−1 with
-/// z = Φ⁻¹((1+bel)/2) (M Tab. 8.1).
+/// What a belief that holds within ±σ_from is worth within ±σ_to, by quantiles: 2Φ(z σ_to/σ_from)−1 with
+/// z = Φ⁻¹((1+bel)/2) (Meyer (2022), Table 8.1).
 pub fn convert_belief(belief: f64, sigma_from: f64, sigma_to: f64) -> Result<f64> {
     check_belief(belief)?;
     let ratio =
@@ -47,8 +47,8 @@ pub fn convert_belief(belief: f64, sigma_from: f64, sigma_to: f64) -> Result<f64
     })
 }
 
-/// The linear form (M 5.24), for comparison: bel·(2Φ(σ_to/σ_from)−1)/`divisor`, capped at 1. M divides by 2Φ(1)−1 in
-/// the text and by 0.95 in Tab. 5.4. The second value tells whether it was capped.
+/// The linear form (Meyer (2022), eq. 5.24), for comparison: bel·(2Φ(σ_to/σ_from)−1)/`divisor`, capped at 1. The source
+/// divides by 2Φ(1)−1 in the text and by 0.95 in its Table 5.4. The second value tells whether it was capped.
 pub fn convert_belief_linear(belief: f64, sigma_from: f64, sigma_to: f64, divisor: f64) -> Result<(f64, bool)> {
     check_belief(belief)?;
     let ratio =
@@ -61,7 +61,8 @@ fn check_belief(belief: f64) -> Result<()> {
     if (0.0..=1.0).contains(&belief) { Ok(()) } else { Err(Error::argument("the belief", "between 0 and 1", belief)) }
 }
 
-/// Tolerance of one object against another, from theirs: √(T₁²+T₂²), or T₁+T₂ where nothing may be hoped for (M 4.2-4.5).
+/// Tolerance of one object against another, from theirs: √(T₁²+T₂²), or T₁+T₂ in the worst case (Meyer (2022), eqs. 4.2
+/// to 4.5).
 pub fn relative_tolerance(t1: f64, t2: f64, rule: &str) -> Result<f64> {
     let (t1, t2) = (positive("a tolerance", t1)?, positive("a tolerance", t2)?);
     match rule {

@@ -16,7 +16,7 @@ pub struct LogCommonality {
 }
 
 impl LogCommonality {
-    /// Of one mass. A mass without ignorance gives −∞ in `unknown`; discount sources first.
+    /// The commonalities of one mass. A mass without ignorance gives −∞ in `unknown`; discount sources first.
     pub fn of(m: &Mass) -> Self {
         Self { occupied: (m.occupied + m.unknown).ln(), empty: (m.empty + m.unknown).ln(), unknown: m.unknown.ln() }
     }

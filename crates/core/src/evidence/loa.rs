@@ -36,7 +36,7 @@ impl Loa {
         ["LOA10", "LOA20", "LOA30", "LOA40", "LOA50"][self as usize]
     }
 
-    /// Reads a class name in any case, with or without a blank before the number.
+    /// Reads a class name in upper or lower case, with or without a blank before the number.
     pub fn parse(text: &str) -> Result<Self> {
         let plain: String = text.chars().filter(|c| !c.is_whitespace()).collect();
         Self::ALL

@@ -6,8 +6,8 @@ use crate::num::text::{number, numbers};
 
 /// A basic belief assignment: mass on occupied, on empty, and on their union ("unknown").
 ///
-/// Sums to 1, but for unnormalised ones (the conjunctive rule of the transferable belief model, Smets 1990): what is
-/// missing is [`Mass::contradiction`], the mass of the empty set.
+/// Sums to 1, except for unnormalised masses (the conjunctive rule of the transferable belief model, Smets 1990): what
+/// is missing there is [`Mass::contradiction`], the mass of the empty set.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct Mass {
@@ -43,7 +43,7 @@ impl Hypothesis {
 }
 
 impl Mass {
-    /// Knowing nothing: neutral in every combination.
+    /// Knowing nothing: neutral under Dempster's rule.
     pub const VACUOUS: Self = Self { occupied: 0.0, empty: 0.0, unknown: 1.0 };
 
     /// A mass from its two committed parts; the rest is unknown.
@@ -59,7 +59,7 @@ impl Mass {
         Ok(Self { occupied, empty, unknown: (1.0 - sum).max(0.0) })
     }
 
-    /// bel(h): what is committed to `h` (M 5.20, 5.22).
+    /// bel(h): what is committed to `h` (Meyer (2022), eqs. 5.20 and 5.22).
     pub fn belief(&self, h: Hypothesis) -> f64 {
         match h {
             Hypothesis::Occupied => self.occupied,
@@ -67,7 +67,7 @@ impl Mass {
         }
     }
 
-    /// pl(h): what does not speak against `h` (M 5.21, 5.23).
+    /// pl(h): what does not speak against `h` (Meyer (2022), eqs. 5.21 and 5.23).
     pub fn plausibility(&self, h: Hypothesis) -> f64 {
         self.belief(h) + self.unknown
     }
@@ -78,7 +78,7 @@ impl Mass {
         Self { occupied: alpha * self.occupied, empty: alpha * self.empty, unknown }
     }
 
-    /// [`Mass::discounted`] by a number that may be no reliability.
+    /// [`Mass::discounted`] by an unchecked number.
     pub fn discount(&self, reliability: f64) -> Result<Self> {
         if (0.0..=1.0).contains(&reliability) {
             Ok(self.discounted(reliability))
@@ -97,7 +97,8 @@ impl Mass {
         }
     }
 
-    /// Dempster's rule (M 5.14-5.18) for distinct sources; [`Error::TotalConflict`] when they exclude each other.
+    /// Dempster's rule (Meyer (2022), eqs. 5.14 to 5.18) for distinct sources; [`Error::TotalConflict`] when they
+    /// exclude each other.
     pub fn combine(&self, other: &Self) -> Result<Self> {
         let Self { occupied, empty, unknown } = self.conjunctive(other);
         let sum = occupied + empty + unknown;

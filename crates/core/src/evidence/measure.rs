@@ -3,7 +3,7 @@
 use super::{Hypothesis, Mass};
 use crate::error::{Error, Result};
 
-/// By what a hypothesis is chosen.
+/// The measure by which a hypothesis is chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Criterion {
     /// Belief: what speaks for it.
@@ -25,7 +25,7 @@ impl Criterion {
         }
     }
 
-    /// Its value with contradiction divided out, so that all three share a scale.
+    /// The measure's value with contradiction divided out, so that all three share a scale.
     fn of(self, m: &Mass, h: Hypothesis) -> f64 {
         let whole = 1.0 - m.contradiction();
         match self {
@@ -38,7 +38,7 @@ impl Criterion {
 }
 
 impl Mass {
-    /// The hypothesis whose criterion reaches `threshold` and is larger than the other's; `None`: undecided.
+    /// The hypothesis whose measure reaches `threshold` and exceeds the other's; `None` where it is undecided.
     pub fn decide(&self, criterion: Criterion, threshold: f64) -> Result<Option<Hypothesis>> {
         if !(0.0..=1.0).contains(&threshold) {
             return Err(Error::argument("the threshold", "between 0 and 1", threshold));

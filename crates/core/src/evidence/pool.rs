@@ -36,7 +36,8 @@ impl LogProduct {
         if self.zeros > 0 { 0.0 } else { (self.high + self.low).exp() }
     }
 
-    /// This over another, as a logarithm: the leading parts cancel first, so that ten million terms lose nothing.
+    /// The quotient of this and another, as a logarithm: the leading parts cancel first, so that ten million terms lose
+    /// nothing.
     fn log_ratio(&self, o: &Self) -> f64 {
         match (self.zeros > 0, o.zeros > 0) {
             (false, false) => (self.high - o.high) + (self.low - o.low),
@@ -59,7 +60,7 @@ pub struct Pool {
     occupied: LogProduct,
     empty: LogProduct,
     third: LogProduct,
-    /// Sums of masses, with twice the precision too.
+    /// Sums of masses, also with twice the precision.
     sums: [LogProduct; 3],
     weights: Weights,
 }
@@ -80,7 +81,7 @@ impl Pool {
         self.rule
     }
 
-    /// The error of a group with two rules.
+    /// The error for a group with two rules.
     pub fn other_rule(a: Rule, b: Rule) -> Error {
         let expected = "the same for all rows of a group";
         Error::argument("the rule of combination", expected, format!("{} and {}", a.name(), b.name()))
@@ -177,10 +178,10 @@ impl Pool {
         dempster.normalised()
     }
 
-    /// Bytes of the form in which workers exchange pools.
+    /// Bytes of the form in which parallel workers exchange pools.
     pub const LEN: usize = 4 + 8 + 6 * 24 + 16;
 
-    /// For another worker.
+    /// The form for another parallel worker.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut out = Vec::with_capacity(Self::LEN);
         out.put_u32(self.rule as u32);
@@ -195,7 +196,7 @@ impl Pool {
         out
     }
 
-    /// From another worker.
+    /// Reads the form from another parallel worker.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let mut r = Reader::new(bytes, "the state of ab_combine_agg");
         let rule = r.u32()?;
@@ -286,7 +287,7 @@ mod tests {
         }
     }
 
-    /// Two million sources that nearly balance: neither order nor grouping shows.
+    /// Two million sources that nearly balance: neither order nor grouping makes a difference.
     #[test]
     fn order_and_grouping_do_not_matter() {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(3);

@@ -1,9 +1,9 @@
-//! What kinds of scanners measure how well.
+//! How well kinds of scanners measure.
 
 use crate::error::{Error, Result};
 
-/// Standard uncertainties of a kind of scanner: the order of what makers state and field tests by ISO 17123-9 find at
-/// 10 to 20 m on matt surfaces. A test of one's own instrument is better.
+/// Standard uncertainties of a kind of scanner: the order of magnitude that manufacturers state and field tests by ISO
+/// 17123-9 find at 10 to 20 m on matt surfaces. A test of one's own instrument is better.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SensorPreset {
     /// Name in SQL and on the command line.
@@ -16,12 +16,12 @@ pub struct SensorPreset {
     pub sigma_station: f64,
     /// Range up to which this holds, metres.
     pub max_range: f64,
-    /// What it is.
+    /// What kind it is, in words.
     pub description: &'static str,
 }
 
 impl SensorPreset {
-    /// All there are.
+    /// All presets.
     pub const ALL: [Self; 6] = [
         Self::new("phase", 0.0005, 3.9e-5, 0.001, 80.0, "terrestrial scanner, phase shift (8 arc seconds)"),
         Self::new(
@@ -49,7 +49,7 @@ impl SensorPreset {
         Self { name, sigma_range, sigma_angle, sigma_station, max_range, description }
     }
 
-    /// By name.
+    /// The preset of this name.
     pub fn named(name: &str) -> Result<Self> {
         let expected = "'phase', 'hybrid', 'pulse', 'compact', 'handheld' or 'tablet'";
         let found = Self::ALL.into_iter().find(|p| p.name == name);

@@ -1,4 +1,4 @@
-//! What one laser beam says about one point, as Meyer published it (M 5.4-5.10).
+//! What one laser beam says about one point, as published in Meyer (2022), eqs. 5.4 to 5.10.
 
 use super::Mass;
 use crate::error::{Error, Result};
@@ -6,7 +6,7 @@ use crate::geometry::Vec3;
 
 /// Parameters of the published ray model `meyer2022`.
 ///
-/// Errata of the source: (5.4, 5.5) and (5.9, 5.10) exchange occupied and empty and print `1/(e^…)` for
+/// Errata of the source: eqs. 5.4, 5.5 and eqs. 5.9, 5.10 exchange occupied and empty and print `1/(e^…)` for
 /// `1/(1+e^…)`; the form here is a valid mass and draws Figs 5.6 and 6.4.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RayModel {
@@ -19,7 +19,7 @@ pub struct RayModel {
 }
 
 impl RayModel {
-    /// The published setting for a terrestrial laser scanner (σ of a point 2.5 mm; M Tab. 7.7).
+    /// The published setting for a terrestrial laser scanner (σ of a point 2.5 mm; Meyer (2022), Table 7.7).
     pub const LASER: Self = Self { kappa: 20_000.0, lambda: 600.0, c: 3.0 };
 
     /// Checks that all three are positive and finite.
@@ -59,7 +59,7 @@ impl RayModel {
         Mass { occupied, empty, unknown: (1.0 - occupied - empty).max(0.0) }
     }
 
-    /// Distance across the beam beyond which every mass is below `least`.
+    /// Distance across the beam, metres, beyond which every mass is below `least`.
     pub fn reach(&self, least: f64) -> f64 {
         (-least.ln() / self.kappa).sqrt()
     }

@@ -17,7 +17,7 @@ pub enum Rule {
     Disjunctive,
     /// Yager 1987: conflict becomes ignorance. Not associative; all sources at once do not depend on their order.
     Yager,
-    /// Dubois & Prade 1988: conflict goes to the union of the contradicting sets. As Yager's here.
+    /// Dubois & Prade 1988: conflict goes to the union of the contradicting sets. The same as Yager's on this frame.
     DuboisPrade,
     /// Smarandache & Dezert (PCR5, for two sources equal to Martin & Osswald's PCR6, 2006): conflict goes back to those
     /// who caused it, in proportion. Not associative.
@@ -103,7 +103,7 @@ fn pcr5(a: &Mass, b: &Mass) -> Mass {
 }
 
 impl Mass {
-    /// Yager's transfer: what contradicts is not known.
+    /// Yager's transfer: contradicting mass becomes unknown.
     pub(super) fn with_conflict_unknown(self) -> Self {
         Self { unknown: (1.0 - self.occupied - self.empty).max(0.0), ..self }
     }
@@ -118,10 +118,10 @@ pub struct Weights {
 }
 
 impl Weights {
-    /// Nothing said.
+    /// The weights of a vacuous mass.
     pub(super) const NONE: Self = Self { occupied: 1.0, empty: 1.0 };
 
-    /// Of a mass with some ignorance.
+    /// The weights of a mass with some ignorance.
     pub(super) fn of(m: &Mass) -> Result<Self> {
         if m.unknown > 0.0 {
             Ok(Self { occupied: m.unknown / (m.occupied + m.unknown), empty: m.unknown / (m.empty + m.unknown) })

@@ -1,4 +1,5 @@
-//! What one observation says at a query point, sensor by sensor. Published forms: M ch. 5, errata corrected.
+//! What one observation says at a query point, sensor by sensor. Published forms: Meyer (2022), ch. 5, errata
+//! corrected.
 
 use nalgebra::Matrix3;
 
@@ -8,7 +9,7 @@ use crate::geometry::Vec3;
 use crate::num::normal::cdf;
 
 impl RayModel {
-    /// Image rays (M Tab. 7.7).
+    /// Image rays (Meyer (2022), Table 7.7).
     pub const IMAGE: Self = Self { kappa: 15_000.0, lambda: 800.0, c: 5.0 };
     /// Dense matched points.
     pub const DENSE: Self = Self { kappa: 6_000.0, lambda: 1_200.0, c: 5.0 };
@@ -44,8 +45,8 @@ impl RayModel {
         own.mass(origin, point, query)
     }
 
-    /// Mass at `query` from a point of a dense cloud with a unit face normal (M 5.12, 5.13): occupied or unknown, never
-    /// empty, for it has no ray.
+    /// Mass at `query` from a point of a dense cloud with a unit face normal (Meyer (2022), eqs. 5.12 and 5.13):
+    /// occupied or unknown, never empty, for it has no ray.
     pub fn dense_point_mass(&self, point: &Vec3, normal: &Vec3, query: &Vec3) -> Mass {
         let offset = query - point;
         let dx = offset.dot(normal);
@@ -70,7 +71,7 @@ pub struct SurfaceObservation {
 
 impl SurfaceObservation {
     /// Mass that the built surface lies within ±`tolerance` metres of the face, from a station of this `reliability`,
-    /// and apart from it the belief that a surface stands in front of the face.
+    /// and, separately, the belief that a surface stands in front of the face.
     pub fn mass(&self, tolerance: f64, reliability: f64) -> (Mass, f64) {
         let below = |x: f64| cdf((x - self.deviation) / self.sd);
         let (up, down) = (below(tolerance), below(-tolerance));
@@ -82,7 +83,7 @@ impl SurfaceObservation {
         (Mass { occupied, empty, unknown }, trust * self.hit_share * (1.0 - up))
     }
 
-    /// [`SurfaceObservation::mass`] of numbers that may be anything.
+    /// [`SurfaceObservation::mass`] of unchecked numbers.
     pub fn checked_mass(&self, tolerance: f64, reliability: f64) -> Result<Mass> {
         for (what, x) in
             [("the coverage", self.coverage), ("the share of hits", self.hit_share), ("the reliability", reliability)]

@@ -33,7 +33,7 @@ impl Aabb {
         b
     }
 
-    /// Takes in a point.
+    /// Grows to include a point.
     pub fn grow(&mut self, p: &Vec3) {
         for i in 0..3 {
             self.min[i] = self.min[i].min(p[i]);

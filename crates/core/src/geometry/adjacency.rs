@@ -5,7 +5,7 @@ use super::weld::weld;
 use crate::num::sort::sort;
 use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
-/// An edge that more triangles share is a fan's spine or junk; pairing all of them would be quadratic.
+/// An edge shared by more triangles than this is the spine of a fan or junk; pairing all of them would be quadratic.
 const MOST_SHARED: usize = 16;
 
 /// For each triangle the triangles across its edges, in one flat list.
@@ -35,7 +35,7 @@ impl Adjacency {
         Ok(Self { starts, list })
     }
 
-    /// The triangles across the edges of triangle `t`; one that shares two edges comes twice.
+    /// The triangles across the edges of triangle `t`; one that shares two edges appears twice.
     pub fn neighbours(&self, t: usize) -> &[u32] {
         &self.list[self.starts[t] as usize..self.starts[t + 1] as usize]
     }

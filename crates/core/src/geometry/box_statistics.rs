@@ -2,19 +2,19 @@
 //!
 //! A k-d partition of a sample: cells of about equal counts over centre and size. Within a cell centres are taken as
 //! uniform and sizes as their mean, for which the share of pairs that overlap has a closed form. Unlike a grid of cells
-//! (PostGIS) it costs nothing where there is nothing, and unlike counting the pairs of two samples it is smooth where one
+//! (as in PostGIS) it spends nothing on empty space, and unlike counting the pairs of two samples it works where one
 //! pair in a million overlaps.
 
 use super::Aabb;
 
-/// Most cells: `CELLS`² pairs are looked at to plan a join.
+/// Most cells: `CELLS`² pairs are examined to plan a join.
 const CELLS: usize = 128;
 /// Fewest boxes worth a cell of their own.
 const LEAST: usize = 4;
 /// Numbers of a cell.
 const NUMBERS: usize = 10;
 
-/// How a box lies to another.
+/// How one box lies relative to another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Relation {
     /// They have a point in common.
@@ -43,7 +43,7 @@ pub struct BoxStatistics {
 }
 
 impl BoxStatistics {
-    /// Of a sample; `None` without boxes.
+    /// The statistics of a sample; `None` without boxes.
     pub fn of(boxes: &[Aabb]) -> Option<Self> {
         let mut features: Vec<[f64; 6]> =
             boxes.iter().map(features).filter(|f| f.iter().all(|x| x.is_finite())).collect();
@@ -53,13 +53,13 @@ impl BoxStatistics {
         (!cells.is_empty()).then_some(Self { cells })
     }
 
-    /// Share of the boxes that lie so to `query`.
+    /// Share of the boxes that lie in this relation to `query`.
     pub fn selectivity(&self, query: &Aabb, relation: Relation) -> f64 {
         let Some(query) = Self::of(&[*query]) else { return 0.0 };
         self.join_selectivity(&query, relation, 0.0)
     }
 
-    /// Share of the pairs that lie so to each other, where boxes overlap from `margin` metres on.
+    /// Share of the pairs that lie in this relation to each other; boxes no farther apart than `margin` metres overlap.
     pub fn join_selectivity(&self, others: &Self, relation: Relation, margin: f64) -> f64 {
         let of = |a: &Cell| others.cells.iter().map(|b| a.share * b.share * a.chance(b, relation, margin)).sum::<f64>();
         self.cells.iter().map(of).sum::<f64>().clamp(0.0, 1.0)
@@ -71,7 +71,7 @@ impl BoxStatistics {
         self.cells.iter().flat_map(numbers).collect()
     }
 
-    /// The mirror of [`BoxStatistics::to_numbers`]; `None` for numbers that are none.
+    /// The mirror of [`BoxStatistics::to_numbers`]; `None` for numbers that are no statistics.
     pub fn from_numbers(numbers: &[f64]) -> Option<Self> {
         let (cells, rest) = numbers.as_chunks::<NUMBERS>();
         let cell = |&[share, x, y, z, u, v, w, a, b, c]: &[f64; NUMBERS]| Cell {
@@ -89,7 +89,7 @@ fn features(b: &Aabb) -> [f64; 6] {
     std::array::from_fn(|i| if i < 3 { 0.5 * (b.min[i] + b.max[i]) } else { b.max[i - 3] - b.min[i - 3] })
 }
 
-/// Halves at the median of the widest feature until there are `cells` parts or they are small.
+/// Halves the sample at the median of its widest feature until there are `cells` parts or the parts are small.
 fn partition(own: &mut [[f64; 6]], cells: usize, emit: &mut impl FnMut(&[[f64; 6]])) {
     let spread = |k: usize| {
         let (lo, hi) = own.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), f| (l.min(f[k]), h.max(f[k])));
@@ -117,7 +117,7 @@ impl Cell {
         Self { share, centres, sides: [mean(3), mean(4), mean(5)] }
     }
 
-    /// Chance that a box of this cell lies so to one of the other.
+    /// Probability that a box of this cell lies in this relation to one of the other.
     fn chance(&self, o: &Self, relation: Relation, margin: f64) -> f64 {
         (0..3)
             .map(|i| {
@@ -135,7 +135,7 @@ impl Cell {
     }
 }
 
-/// Chance that two numbers, uniform in intervals `a` and `b`, differ by at most `reach`.
+/// Probability that two numbers, uniform in the intervals `a` and `b`, differ by at most `reach`.
 fn near(a: [f64; 2], b: [f64; 2], reach: f64) -> f64 {
     if reach < 0.0 {
         return 0.0;

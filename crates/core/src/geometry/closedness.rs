@@ -1,4 +1,4 @@
-//! Does a mesh bound a volume? By balance of its edges, not by trust in the modeller.
+//! Does a mesh bound a volume? Judged by the balance of its edges, not by trust in the modeller.
 
 use std::collections::HashMap;
 
@@ -79,7 +79,7 @@ pub fn closedness(
     }
 }
 
-/// Directed edges that no reverse cancels, each as often as it is left over.
+/// Directed edges that no reverse cancels, repeated as often as they are left over.
 fn border_edges(welded: &[u32], triangles: &[[u32; 3]], interrupt: Interrupt) -> Result<Vec<(u32, u32)>> {
     let mut balance: HashMap<(u32, u32), i32> = HashMap::new();
     balance.grow(triangles.len() * 2, interrupt)?;

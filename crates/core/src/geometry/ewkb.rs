@@ -19,7 +19,8 @@ const POLYHEDRAL_SURFACE: u32 = 15;
 const TIN: u32 = 16;
 const TRIANGLE: u32 = 17;
 
-/// The triangles of a face cover its area to this share, or it is refused: a hole beside it, or a face that is not plane.
+/// The triangles of a face must cover its area to within this fraction, or it is refused: a hole lies outside it, or
+/// the face is not plane.
 const AREA_TOLERANCE: f64 = 0.01;
 
 /// How a surface is written.
@@ -32,7 +33,7 @@ pub enum SurfaceKind {
 }
 
 impl Solid {
-    /// The surface as EWKB, little-endian, without SRID; one face a triangle.
+    /// The surface as EWKB, little-endian, without SRID; one face per triangle.
     pub fn to_ewkb(&self, kind: SurfaceKind, interrupt: Interrupt) -> Result<Vec<u8>> {
         let (surface, face) = match kind {
             SurfaceKind::Polyhedral => (POLYHEDRAL_SURFACE, POLYGON),
@@ -141,7 +142,7 @@ impl Cursor<'_> {
     }
 }
 
-/// A mesh in the making.
+/// A mesh being built.
 #[derive(Default)]
 struct Mesh {
     vertices: Vec<Vec3>,

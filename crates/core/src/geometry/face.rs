@@ -8,12 +8,12 @@ use super::{Solid, Vec3};
 use crate::num::sort::sort;
 use crate::{Interrupt, Result, poll_now_and_then, room};
 
-/// Triangles whose normals differ by no more than this from the first one's may share its face.
+/// Triangles may share a face only if their normals differ from its first triangle's by no more than this.
 const MAX_TURN_COS: f64 = 0.990_268_068_741_570; // cos 8°
-/// … and whose corners lie no farther than this from its plane.
+/// Triangles may share a face only if their corners lie no farther than this from its plane.
 const MAX_OFF_PLANE_M: f64 = 0.005;
-/// Across an edge that turns by no more than 30° a surface goes on: a bit less than √3/2, so that a mantle of twelve
-/// facets is smooth however it is rounded.
+/// Across an edge that turns by no more than 30° a surface continues. A bit less than √3/2, so that the lateral surface
+/// of a column with twelve facets is smooth however it is rounded.
 pub(crate) const BLUNT_EDGE_COS: f64 = 0.866;
 
 /// The faces of a solid.
@@ -23,7 +23,8 @@ pub struct Faces {
     pub of_triangle: Vec<u32>,
     /// For each face its unit normal, outward where the solid is closed.
     pub normals: Vec<Vec3>,
-    /// For each face the smooth surface that it is a facet of, counted from 0. A plane face is one by itself.
+    /// For each face the smooth surface that it is a facet of, counted from 0. A plane face is a smooth surface by
+    /// itself.
     pub surface_of_face: Vec<u32>,
 }
 
@@ -98,7 +99,7 @@ fn smooth_surfaces(
     Ok(number)
 }
 
-/// The member that stands for the set (union-find, halving paths).
+/// The representative of the set (union-find with path halving).
 fn root(parent: &mut [u32], mut i: u32) -> u32 {
     while parent[i as usize] != i {
         parent[i as usize] = parent[parent[i as usize] as usize];
@@ -132,7 +133,7 @@ fn grow(
     Ok(())
 }
 
-/// The triangles that have an area, by falling area.
+/// The triangles that have an area, largest first.
 fn largest_first(planes: &[Option<Plane>], interrupt: Interrupt) -> Result<Vec<u32>> {
     // The bits of a positive number order as the number does.
     let by_area = |(t, p): (usize, &Option<Plane>)| p.map(|p| (Reverse(p.area.to_bits()), t as u32));
@@ -161,7 +162,7 @@ impl Plane {
         (twice_area > 1e-12).then(|| Self { point: a, normal: n / twice_area, area: 0.5 * twice_area })
     }
 
-    /// Equal for triangles of one plane (about 0.3° and 1 mm); a split at a rounding border only costs a join.
+    /// Equal for triangles of one plane (about 0.3° and 1 mm); a plane split by rounding is joined again.
     fn key(&self, centre: &Vec3) -> [i64; 4] {
         let n = self.normal;
         let offset = n.dot(&(self.point - centre));

@@ -2,9 +2,9 @@
 
 use super::Aabb;
 
-/// Bits an axis; three fill an integer.
+/// Bits per axis; three axes fill an integer.
 const BITS: u32 = 21;
-/// Side of a cell, metres. The curve repeats after 524 km: a project lies in one period, or across a border of two.
+/// Side of a cell, metres. The curve repeats after 524 km: a project lies in one period, or across the border of two.
 const CELL_M: f64 = 0.25;
 
 /// Place of the centre of `b` on a Hilbert curve of three dimensions.

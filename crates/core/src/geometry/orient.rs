@@ -9,8 +9,8 @@ use crate::NEVER;
 /// Turns triangles so that neighbours agree across every edge that exactly two share, and so that each
 /// connected part encloses a positive volume. Returns how many triangles were turned.
 ///
-/// For meshes whose orientation the modeller or an opening cut spoilt; a part that is a cavity is turned too,
-/// so use it only where the mesh is not closed as it stands.
+/// For meshes whose orientation was spoilt by the modeller or by the cut of an opening. A part that is a cavity is
+/// turned too, so use it only where the mesh is not closed as it stands.
 pub fn orient(vertices: &[Vec3], triangles: &mut [[u32; 3]]) -> usize {
     let Ok(welded) = weld(vertices, NEVER) else { return 0 };
     let neighbours = neighbours_by_edge(&welded, triangles);

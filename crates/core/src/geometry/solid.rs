@@ -41,7 +41,7 @@ impl Solid {
         Self::interruptible(vertices, triangles, NEVER)
     }
 
-    /// [`Solid::new`] for meshes of any size: asks `interrupt` now and then.
+    /// [`Solid::new`] for meshes of any size: asks `interrupt` at intervals.
     pub fn interruptible(vertices: Vec<Vec3>, mut triangles: Vec<[u32; 3]>, interrupt: Interrupt) -> Result<Self> {
         check(&vertices, &triangles, interrupt)?;
         let bounds = Aabb::around(&vertices);
@@ -71,7 +71,7 @@ impl Solid {
         Self::new(b.corners().to_vec(), triangles)
     }
 
-    /// An upright cylinder on `foot`, its circle inscribed by `sections` chords.
+    /// An upright cylinder on `foot`, its circle approximated by `sections` inscribed chords.
     pub fn cylinder(foot: [f64; 3], radius: f64, height: f64, sections: u32) -> Result<Self> {
         let foot = Vec3::from(foot);
         let rim = |i: u32, z: f64| {
@@ -130,7 +130,7 @@ impl Solid {
         if self.closedness == Closedness::Open { Err(Error::OpenSurface) } else { Ok(self.volume) }
     }
 
-    /// Checksum over vertices and triangles: tells two geometries apart.
+    /// Checksum over vertices and triangles, to tell two geometries apart.
     pub fn fingerprint(&self, interrupt: Interrupt) -> Result<u32> {
         let mut payload = Vec::new();
         payload.grow(self.payload_len(), interrupt)?;
@@ -171,13 +171,13 @@ impl Solid {
         Ok(out)
     }
 
-    /// Reads foreign bytes: everything that can be derived is derived anew, so nothing in them is trusted.
+    /// Reads bytes from outside: everything that can be derived is derived anew, so nothing in them is trusted.
     pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
         let (vertices, triangles) = Self::mesh_of(bytes, interrupt)?;
         Self::interruptible(vertices, triangles, interrupt)
     }
 
-    /// Reads bytes that this database wrote: the mesh is checked, what the header says of it is taken.
+    /// Reads bytes that this database wrote: the mesh is checked, what the header says about it is taken as it is.
     pub fn from_stored(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
         let (vertices, triangles) = Self::mesh_of(bytes, interrupt)?;
         check(&vertices, &triangles, interrupt)?;

@@ -2,7 +2,7 @@
 
 use super::Aabb;
 
-/// How much `key` must grow to take in `new`: volume first, edge lengths where the volume is flat.
+/// How much `key` must grow to include `new`: by volume, or by edge lengths where the volume is zero.
 ///
 /// The square root keeps differences visible in the single-precision penalty that GiST compares.
 pub fn penalty(key: &Aabb, new: &Aabb) -> f32 {

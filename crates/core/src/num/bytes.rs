@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use crate::error::{Error, Result};
 
-/// Reads little-endian values from a slice; a short slice gives an error of the stated type.
+/// Reads little-endian values from a slice; a slice that is too short gives an error that names the type.
 #[derive(Debug, Clone)]
 pub struct Reader<'a> {
     rest: &'a [u8],

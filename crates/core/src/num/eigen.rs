@@ -1,12 +1,12 @@
-//! Eigenvalues and pseudo-inverses by nalgebra, whose iterations have no end of their own: a number that is not finite, or an
-//! overflow on the way, would keep them going.
+//! Eigenvalues and pseudo-inverses by nalgebra, whose iterations have no bound of their own: a number that is not
+//! finite, or an overflow on the way, would keep them going for ever.
 
 use nalgebra::{Const, DMatrix, Dyn, Matrix3, SMatrix, SymmetricEigen};
 
-/// Sweeps after which nothing converges any more; matrices of ours take some ten.
+/// Sweeps after which nothing converges any more; the matrices here take about ten.
 const MOST_SWEEPS: usize = 1000;
 
-/// Of a symmetric matrix; not-a-numbers where there are none.
+/// Eigenvalues and eigenvectors of a symmetric matrix; NaN where there are none.
 pub fn of_three(m: Matrix3<f64>) -> SymmetricEigen<f64, Const<3>> {
     SymmetricEigen::try_new(m, f64::EPSILON, MOST_SWEEPS).unwrap_or_else(|| SymmetricEigen {
         eigenvalues: Matrix3::repeat(f64::NAN).column(0).into_owned(),
@@ -14,7 +14,7 @@ pub fn of_three(m: Matrix3<f64>) -> SymmetricEigen<f64, Const<3>> {
     })
 }
 
-/// Of a symmetric matrix of any size; not-a-numbers where there are none.
+/// The same for a symmetric matrix of any size; NaN where there are none.
 pub fn of_any(m: DMatrix<f64>) -> SymmetricEigen<f64, Dyn> {
     let n = m.nrows();
     SymmetricEigen::try_new(m, f64::EPSILON, MOST_SWEEPS).unwrap_or_else(|| SymmetricEigen {
@@ -23,8 +23,8 @@ pub fn of_any(m: DMatrix<f64>) -> SymmetricEigen<f64, Dyn> {
     })
 }
 
-/// Whether nalgebra's singular values, and so its pseudo-inverse, come to an end: nothing in the matrix is, or becomes when
-/// squared, infinite.
+/// Whether nalgebra's singular values, and so its pseudo-inverse, terminate: nothing in the matrix is infinite, or
+/// becomes so when squared.
 pub fn is_tame<const N: usize>(m: &SMatrix<f64, N, N>) -> bool {
     m.iter().all(|x| x.abs() < 1e100)
 }
@@ -33,7 +33,7 @@ pub fn is_tame<const N: usize>(m: &SMatrix<f64, N, N>) -> bool {
 mod tests {
     use super::*;
 
-    /// nalgebra's own calls do not end on some of these.
+    /// nalgebra's own calls do not terminate on some of these.
     #[test]
     fn everything_ends() {
         for x in [f64::NAN, f64::INFINITY, f64::MAX, 1e-320, 1e160] {

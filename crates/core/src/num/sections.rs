@@ -1,9 +1,10 @@
-//! Stored values as containers of tagged sections, each under a checksum of its own.
+//! Stored values as containers of tagged sections, each with a checksum of its own.
 //!
-//! Layout, little-endian: version u8, the type's letter u8, two bytes of notes whose meaning is the type's; then sections of
-//! tag u32, length u32, CRC-32 u32 and so many bytes. The checksum covers tag, length and content, that of the first
-//! section ([`HEADER`], readable from a prefix) the four bytes before it too. What a later release adds is a section: where
-//! its tag is not [`REQUIRED`], readers that do not know it pass over it; else they refuse the value.
+//! Layout, little-endian: version u8, the type's letter u8, two bytes of notes whose meaning is the type's; then
+//! sections of tag u32, length u32, CRC-32 u32 and content of that length. The checksum covers tag, length and content,
+//! that of the first section ([`HEADER`], readable from a prefix) the four bytes before it too. What a later release
+//! adds is a section: readers that do not know its tag skip it, unless the tag is [`REQUIRED`]; then they refuse the
+//! value.
 
 use super::bytes::{Put, Reader};
 use crate::error::{Error, Limited, Result};
@@ -11,7 +12,7 @@ use crate::{Interrupt, poll};
 
 /// Bit of the tags without which a value cannot be understood.
 pub const REQUIRED: u32 = 1 << 31;
-/// The first section: fixed length, what is asked often.
+/// The first section: of fixed length, with what is asked for often.
 pub const HEADER: u32 = REQUIRED | 1;
 /// What the header describes.
 pub const BODY: u32 = REQUIRED | 2;
@@ -23,7 +24,7 @@ const HEAD: usize = 12;
 /// Most bytes that PostgreSQL stores in a value.
 const MOST_STORED: usize = (1 << 30) - (1 << 10);
 
-/// Bytes of a value up to the end of a header of so many.
+/// Bytes of a value up to the end of a header of this length.
 pub const fn header_end(content: usize) -> usize {
     PREAMBLE + HEAD + content
 }
@@ -60,7 +61,7 @@ fn preamble_of(bytes: &[u8], start: usize) -> &[u8] {
     if start == PREAMBLE { &bytes[..PREAMBLE] } else { &[] }
 }
 
-/// CRC-32 of some pieces, one after the other; asks after every megabyte.
+/// CRC-32 of some pieces, one after the other; asks the interrupt after every megabyte.
 pub fn checksum(pieces: &[&[u8]], interrupt: Interrupt) -> Result<u32> {
     const MEGABYTE: usize = 1 << 20;
     let mut hasher = crc32fast::Hasher::new();
@@ -151,7 +152,7 @@ mod tests {
     }
 
     proptest! {
-        /// Of the preamble, the version and the letter are the type's to check.
+        /// The version and the letter of the preamble are for the type to check.
         #[test]
         fn damage_is_noticed(body in prop::collection::vec(any::<u8>(), 0..200), at in any::<usize>(), x in 1u8.., cut in 0usize..3) {
             let mut bytes = value(&[(HEADER, b"head"), (9, b"optional"), (BODY, &body)]);

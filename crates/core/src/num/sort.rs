@@ -6,7 +6,7 @@ use crate::{Grow, Interrupt, Result, poll, poll_now_and_then};
 const RUN: usize = 1 << 16;
 
 /// Sorts `items` in ascending order: runs of 65 536 by the standard library, merged pairwise. Asks `interrupt` in
-/// between, which one call of a standard sort of millions could not.
+/// between, which a single standard sort of millions could not do.
 pub fn sort<T: Copy + Ord>(items: &mut Vec<T>, interrupt: Interrupt) -> Result<()> {
     for run in items.chunks_mut(RUN) {
         poll(interrupt)?;

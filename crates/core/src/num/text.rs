@@ -22,7 +22,7 @@ pub fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
     words.next().is_none().then_some(out)
 }
 
-/// Bytes turned between two looks at the interrupt.
+/// Bytes converted between two looks at the interrupt.
 const PIECE: usize = 1 << 20;
 
 /// `prefix` and then the bytes in hexadecimal: the lossless text form of the variable-length types.

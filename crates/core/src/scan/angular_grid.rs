@@ -1,9 +1,9 @@
 //! Directions sorted into the cells of a grid in the image plane.
 
-/// Cells per side at the most; a patch of 4096 beams needs far fewer.
+/// Most cells per side; a patch of 4096 beams needs far fewer.
 const MAX_CELLS: f64 = 256.0;
 
-/// A grid over image coordinates; what lies in one cell, and in neighbouring cells of a row, lies side by side.
+/// A grid over image coordinates; the contents of one cell, and of neighbouring cells of a row, are adjacent.
 #[derive(Debug)]
 pub struct AngularGrid {
     low: [f64; 2],
@@ -54,7 +54,7 @@ impl AngularGrid {
         r.min(self.rows - 1) * self.columns + c.min(self.columns - 1)
     }
 
-    /// Slot ranges, one a row of cells, that hold all within the image rectangle (and some around it).
+    /// Slot ranges, one per row of cells, that hold everything within the image rectangle (and some around it).
     pub fn slots_in(&self, min: [f64; 2], max: [f64; 2]) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         let index = |k: usize, x: f64, n: usize| ((x - self.low[k]) / self.cell).floor().clamp(-1.0, n as f64) as isize;
         let c0 = index(0, min[0], self.columns).max(0);

@@ -1,10 +1,10 @@
 //! One column of integers as bit-packed differences.
 //!
-//! Blocks of [`BLOCK`] values. Each is predicted from the one before, and in a column that follows a leading one also from
-//! the leading column's step times the block's slope: range noise moves a return along its beam, so two coordinates follow
-//! the third. What is left, less the block's reference (the regular step of the scan line), is zigzag coded in as few bits
-//! as pay off; values that need more (the jump to the next scan line) are exceptions. After Zukowski et al. 2006
-//! (PFOR-DELTA). Arithmetic wraps, so any `i32` column is carried exactly.
+//! Blocks of [`BLOCK`] values. Each value is predicted from the one before; in a column that follows a leading one,
+//! also from the leading column's step times the block's slope: range noise moves a return along its beam, so two
+//! coordinates follow the third. The remainder, less the block's reference (the regular step of the scan line), is
+//! zigzag coded in the number of bits that costs least; values that need more (the jump to the next scan line) are
+//! exceptions. After Zukowski et al. 2006 (PFOR-DELTA). Arithmetic wraps, so any `i32` column is carried exactly.
 //!
 //! Block layout: width u8, exceptions u8, slope i16 (only with a leading column), reference varint (signed), the packed
 //! low bits (`width` × values, LSB first, padded to a byte), then per exception its place u8 and its value varint.
@@ -17,7 +17,7 @@ pub const BLOCK: usize = 64;
 /// Unit of a slope: 2⁻¹², so that slopes of up to ±8 are held.
 const SLOPE_BITS: u32 = 12;
 
-/// A block's prediction but for the value before: slope against the leading column, and the regular step.
+/// A block's prediction apart from the preceding value: slope against the leading column, and the regular step.
 #[derive(Debug, Clone, Copy)]
 struct Model {
     slope: i16,
@@ -25,12 +25,12 @@ struct Model {
 }
 
 impl Model {
-    /// What the value should grow by where the leading column grows by `lead`.
+    /// How much the value should grow where the leading column grows by `lead`.
     fn step(self, lead: i32) -> i32 {
         self.along(lead).wrapping_add(self.reference)
     }
 
-    /// The leading column's part of it.
+    /// The leading column's part in that.
     fn along(self, lead: i32) -> i32 {
         ((i64::from(self.slope) * i64::from(lead)) >> SLOPE_BITS) as i32
     }
@@ -113,7 +113,7 @@ fn unzigzag(z: u32) -> i32 {
     (z >> 1) as i32 ^ -((z & 1) as i32)
 }
 
-/// The width that costs fewest bits, exceptions (four bytes each, about) included.
+/// The width that costs fewest bits, including exceptions (about four bytes each).
 fn best_width(residuals: &[u32]) -> u32 {
     let mut longer_than = [0usize; 33];
     for &z in residuals {
@@ -175,12 +175,12 @@ fn read_block(r: &mut Reader, led: bool, n: usize, residuals: &mut [u32; BLOCK])
     Ok(Model { slope, reference })
 }
 
-/// A block at 32 bits a value, and room behind it that lets every value be read as eight bytes at once.
+/// A block at 32 bits per value, with room behind it so that every value can be read as eight bytes at once.
 const PACKED: usize = BLOCK * 4 + 8;
 
 type Unpack = fn(&[u8; PACKED], &mut [u32; BLOCK]);
 
-/// One unpacking loop a width, so that the compiler knows every shift.
+/// One unpacking loop per width, so that the compiler knows every shift.
 const UNPACK: [Unpack; 33] = [
     at::<0>, at::<1>, at::<2>, at::<3>, at::<4>, at::<5>, at::<6>, at::<7>, at::<8>, at::<9>, at::<10>, at::<11>,
     at::<12>, at::<13>, at::<14>, at::<15>, at::<16>, at::<17>, at::<18>, at::<19>, at::<20>, at::<21>, at::<22>,

@@ -33,8 +33,8 @@ fn split(points: &[Vec3], own: &mut [u32], out: &mut Vec<Vec<u32>>, interrupt: I
     split(points, high, out, interrupt)
 }
 
-/// Distance between neighbouring points, metres, when nobody tells: points lie on surfaces, and a surface covers about
-/// the largest side of their box.
+/// Distance between neighbouring points, metres, when it is not given: points lie on surfaces, and a surface covers
+/// about the largest side of their box.
 pub fn spacing<'a>(points: impl ExactSizeIterator<Item = &'a Vec3>) -> f64 {
     let n = points.len();
     let b = Aabb::around(points);
@@ -43,7 +43,8 @@ pub fn spacing<'a>(points: impl ExactSizeIterator<Item = &'a Vec3>) -> f64 {
     (area / n.max(1) as f64).sqrt().clamp(1e-6, 1e3)
 }
 
-/// Angle between neighbouring beams of a moving platform, radians, when nobody tells: their [`spacing`] at the mean range.
+/// Angle between neighbouring beams of a moving platform, radians, when it is not given: their [`spacing`] at the mean
+/// range.
 pub fn angular_spacing(content: &Content) -> f64 {
     let returned: Vec<usize> = (0..content.len()).filter(|&i| content.beams[i].returned).collect();
     let ends: Vec<Vec3> = returned.iter().map(|&i| content.end(i)).collect();

@@ -12,10 +12,10 @@ pub struct Cone {
 }
 
 impl Cone {
-    /// All directions there are.
+    /// The cone of all directions.
     pub const EVERYWHERE: Self = Self { axis: Vec3::new(1.0, 0.0, 0.0), half_angle: 4.0 };
 
-    /// A small cone around unit vectors: their mean direction, then the farthest of them.
+    /// A small cone around unit vectors: about their mean direction, as wide as the farthest of them.
     pub fn around(directions: &[Vec3]) -> Self {
         let sum: Vec3 = directions.iter().sum();
         let axis = sum.try_normalize(1e-9).or(directions.first().copied()).unwrap_or_else(Vec3::x);

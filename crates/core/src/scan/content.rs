@@ -15,12 +15,12 @@ pub struct Beam {
     pub returned: bool,
 }
 
-/// Beams with their optional planes; a plane that is there has one value a beam.
+/// Beams with their optional attributes; an attribute that is present has one value per beam.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Content {
     /// The beams.
     pub beams: Vec<Beam>,
-    /// Where each beam starts, metres from the patch's origin: moving platforms ([`super::Origins::Each`]) alone.
+    /// Where each beam starts, metres from the patch's origin: only for moving platforms ([`super::Origins::Each`]).
     pub starts: Option<Vec<Vec3>>,
     /// Intensity as the sensor gave it.
     pub intensity: Option<Vec<u16>>,
@@ -54,7 +54,7 @@ impl Content {
         self.start(i) + self.beams[i].offset
     }
 
-    /// The same with the beams named, in that order.
+    /// The same with only the named beams, in that order.
     pub fn select(&self, beams: &[u32]) -> Self {
         fn pick<T: Copy>(from: &[T], which: &[u32]) -> Vec<T> {
             which.iter().map(|&i| from[i as usize]).collect()
@@ -67,7 +67,7 @@ impl Content {
         }
     }
 
-    /// Adds the beams of another; a plane that only one of them has is lost.
+    /// Adds the beams of another; an attribute that only one of them has is lost.
     pub fn append(&mut self, mut other: Self, interrupt: Interrupt) -> Result<()> {
         let more = other.len();
         self.beams.grow(more, interrupt)?;
@@ -87,7 +87,7 @@ impl Content {
         Ok(())
     }
 
-    /// Adds beams without return; they have neither intensity nor colour, for which their planes hold 0.
+    /// Adds beams without return; they have neither intensity nor colour, so these attributes hold 0 for them.
     pub fn extend_without_return(&mut self, directions: impl IntoIterator<Item = Vec3>) {
         let before = self.len();
         self.beams.extend(directions.into_iter().map(|offset| Beam { offset, returned: false }));
@@ -108,7 +108,7 @@ impl Content {
         }
     }
 
-    /// The step of a patch of these beams ([`super::Setting::step`]) when nobody tells.
+    /// The step of a patch of these beams ([`super::Setting::step`]) when it is not given.
     pub fn step(&self, origins: Origins) -> f64 {
         match origins {
             Origins::One => mean_step(&self.beams),
@@ -117,7 +117,7 @@ impl Content {
         }
     }
 
-    /// The flags of the planes that are there.
+    /// The flags of the attributes that are present.
     pub(super) fn plane_flags(&self) -> u8 {
         let flag = |there: bool, flag: u8| if there { flag } else { 0 };
         flag(self.starts.is_some(), Header::FLAG_ORIGIN_EACH)

@@ -1,5 +1,5 @@
-//! Patches made from patches: filtered, thinned, moved, joined, cut anew. What is kept keeps its coordinates to half a
-//! quantum; nothing is kept of beams that are dropped.
+//! Patches made from patches: filtered, thinned, moved, joined, cut anew. Beams that are kept keep their coordinates to
+//! half a quantum; beams that are dropped leave nothing behind.
 
 use std::collections::HashSet;
 
@@ -9,11 +9,11 @@ use crate::geometry::{Aabb, Vec3};
 use crate::uncertain::Pose;
 use crate::{Interrupt, poll, poll_now_and_then};
 
-/// Beams cut anew in one call: they are in memory, unpacked.
+/// Most beams cut anew in one call: they are in memory, unpacked.
 const MAX_RETILED: usize = 10_000_000;
 
 impl Patch {
-    /// The beams that `keep` says yes to, by number; `None` where none is left.
+    /// The beams, by number, for which `keep` is true; `None` where none is left.
     pub fn filtered(bytes: &[u8], mut keep: impl FnMut(&Header, &Content, usize) -> bool) -> Result<Option<Self>> {
         let (header, content) = Self::content_of(bytes)?;
         let kept: Vec<u32> = (0..content.len() as u32).filter(|&i| keep(&header, &content, i as usize)).collect();
@@ -64,7 +64,7 @@ impl Patch {
         Self::pack(&setting, &content)
     }
 
-    /// Patches of one station as one.
+    /// Patches of one station joined into one.
     pub fn union(patches: &[&[u8]], interrupt: Interrupt) -> Result<Option<Self>> {
         let Some((header, content)) = joined(patches, MAX_BEAMS, interrupt)? else { return Ok(None) };
         Self::pack(&header.setting(), &content).map(Some)
@@ -115,7 +115,7 @@ fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option
 
 impl Header {
     /// Whether a beam of the patch can come within `margin` metres of a box: by cone and range, against the ball around
-    /// the box. Never says no where one does.
+    /// the box. Never false where a beam does.
     pub fn sees(&self, bounds: &Aabb, margin: f64) -> bool {
         match self.origins() {
             Origins::One => {}
@@ -201,7 +201,7 @@ mod tests {
     }
 
     proptest! {
-        /// Brute force: a beam that comes near the box is never denied.
+        /// Brute force: a beam that comes near the box is never missed.
         #[test]
         fn sees_whatever_a_beam_comes_near(x in 0.0..8.0f64, y in -3.0..3.0f64, z in -3.0..3.0f64, side in 0.01..1.0f64, margin in 0.0..0.3f64) {
             let bytes = patch();

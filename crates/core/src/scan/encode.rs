@@ -8,9 +8,9 @@ use crate::geometry::{Aabb, Vec3};
 
 /// A beam without return is stored as its direction, this long: fine enough to keep the direction to 5 µrad.
 const NO_RETURN_LENGTH_M: f64 = 20.0;
-/// Beams of one origin must look into one half-space: wider tiles have no useful angular grid.
+/// Beams of one origin must point into one half-space: wider tiles have no useful angular grid.
 const MAX_HALF_ANGLE: f64 = 1.3;
-/// No axis leads: points that were not seen along beams.
+/// No axis leads: the points were not seen along beams.
 pub const NO_LEAD: u8 = 3;
 
 /// What the beams of a patch have in common.
@@ -85,7 +85,7 @@ pub fn check_count(n: usize) -> Result<()> {
     Err(Error::Limit { what: Limited::PatchBeams, value, limit })
 }
 
-/// Fails where beams and setting are not those of a patch.
+/// Fails where beams and setting cannot be those of a patch.
 pub fn check(setting: &Setting, content: &Content) -> Result<()> {
     let n = content.len();
     if n == 0 {
@@ -192,7 +192,7 @@ pub fn describe(flags: u8, setting: &Setting, content: &Content) -> Result<Heade
     })
 }
 
-/// The returns, where their beams start, and as far as beams without return looked.
+/// The returns, where their beams start, and how far beams without return looked.
 fn hull(origins: Origins, origin: &Vec3, content: &Content, points: Aabb) -> Aabb {
     if origins == Origins::Unknown {
         return points;

@@ -1,4 +1,4 @@
-//! Patches from rows that come one by one: the state of SQL's `ab_scan_agg`.
+//! Patches from rows that arrive one by one: the state of SQL's `ab_scan_agg`.
 
 use super::{Beam, Content, Origins, Patch, Setting};
 use crate::error::{Error, Limited, Result};
@@ -6,7 +6,7 @@ use crate::geometry::Vec3;
 use crate::num::bytes::{Put, Reader};
 use crate::{Grow, Interrupt, poll, room};
 
-/// Rows of one state: they are in memory, about 60 bytes each.
+/// Most rows of one state: they are in memory, about 60 bytes each.
 pub const MAX_ROWS: usize = 10_000_000;
 
 const TY: &str = "a group of returns";
@@ -16,7 +16,7 @@ const TY: &str = "a group of returns";
 pub struct Return {
     /// World metres.
     pub point: Vec3,
-    /// Where its beam started, world metres, if anybody knows.
+    /// Where its beam started, world metres, if known.
     pub origin: Option<Vec3>,
     /// As the sensor gave it.
     pub intensity: Option<u16>,
@@ -70,7 +70,7 @@ impl Gathered {
         c.colour.iter_mut().try_for_each(|p| p.grow(1, interrupt))
     }
 
-    /// Adds the rows of another, behind its own.
+    /// Appends the rows of another.
     pub fn merge(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
         room::<[Return; 1]>(other.content.len(), interrupt)?;
         let Some(has_rays) = other.has_rays else { return Ok(()) };
@@ -92,7 +92,7 @@ impl Gathered {
         self.content.append(theirs.content, interrupt)
     }
 
-    /// From now on every row has an origin of its own.
+    /// Gives every row an origin of its own.
     fn move_from_here(&mut self) {
         let n = self.content.len();
         self.content.starts.get_or_insert_with(|| vec![Vec3::zeros(); n]);
@@ -125,7 +125,7 @@ impl Gathered {
         }
     }
 
-    /// Packed patches of neighbours: by direction from one origin, else by place.
+    /// Packed patches of neighbours: by direction from one origin, otherwise by place.
     pub fn patches(&self, interrupt: Interrupt) -> Result<Vec<Patch>> {
         let origins = self.origins();
         let pack = |tile: &Vec<u32>| {

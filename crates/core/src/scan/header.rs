@@ -9,10 +9,10 @@ use crate::num::sections::{self, BODY, HEADER, begin, header_end, put_section};
 
 pub(super) const TY: &str = "ab_scan";
 
-/// How far the beams' hull is grown on every side. A surface up to this far behind the returns is still joined
-/// with them by `&&`, so that an object built in front of where it was drawn is found; the widest search band.
+/// How far the beams' hull is grown on every side: the widest search band. A surface up to this far behind the returns
+/// is still joined with them by `&&`, so that an object built in front of where it was drawn is found.
 pub const JOIN_MARGIN_M: f64 = 0.25;
-/// A beam without return counts as having looked this far: the hull of a patch reaches there.
+/// A beam without return counts as having looked this far; the hull of a patch extends to there.
 pub const NO_RETURN_REACH_M: f64 = 30.0;
 
 /// Where the beams of a patch start.
@@ -28,11 +28,11 @@ pub enum Origins {
 
 /// Header of a patch: fixed size, readable alone.
 ///
-/// A container of sections (`num/sections.rs`), version 3, whose first note are the flags. The header's content,
-/// little-endian: beams u32, returns u32, half-angle f32, step f32, range min and max f32, station i64, origin 3×f64, quantum
-/// f64, point box 6×f64, hull 6×f64, axis 3×f64. Versions 1 (without planes) and 2 are read: flags u8 and 0 u8 after the
-/// letter, then beams, returns, payload length and CRC-32 u32, half-angle, step, range f32, (pad) u32, the rest as now, and the
-/// payload.
+/// A container of sections (`num/sections.rs`), version 3, whose first note holds the flags. The header's content,
+/// little-endian: beams u32, returns u32, half-angle f32, step f32, range min and max f32, station i64, origin 3×f64,
+/// quantum f64, point box 6×f64, hull 6×f64, axis 3×f64. Versions 1 (without attributes) and 2 are read: flags u8 and 0
+/// u8 after the letter, then beams, returns, payload length and CRC-32 u32, half-angle, step, range f32, (pad) u32, the
+/// rest as now, and the payload.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Header {
     /// See the `FLAG_` constants.
@@ -72,11 +72,11 @@ impl Header {
     pub const FLAG_NO_RETURNS: u8 = 1;
     /// The points have no origin: [`Origins::Unknown`].
     pub const FLAG_NO_ORIGIN: u8 = 2;
-    /// A plane of origins: [`Origins::Each`].
+    /// An origin for every beam: [`Origins::Each`].
     pub const FLAG_ORIGIN_EACH: u8 = 4;
-    /// A plane of intensities.
+    /// An intensity for every beam.
     pub const FLAG_INTENSITY: u8 = 8;
-    /// A plane of colours.
+    /// A colour for every beam.
     pub const FLAG_COLOUR: u8 = 16;
     /// Flags of version 1; the others make a patch one of version 2.
     const FIRST_FLAGS: u8 = Self::FLAG_NO_RETURNS | Self::FLAG_NO_ORIGIN;
@@ -97,7 +97,7 @@ impl Header {
         Setting { origins: self.origins(), station, origin, step: f64::from(self.step), quantum }
     }
 
-    /// Whether two headers say the same, but for rounding in the last digits of what is computed.
+    /// Whether two headers say the same, except for rounding in the last digits of what is computed.
     pub(super) fn agrees_with(&self, o: &Self) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 + 4.0 * f64::EPSILON * b.abs();
         let near_f32 = |a: f64, b: f64| (a - b).abs() <= 2.0 * f64::from(f32::EPSILON) * b.abs();

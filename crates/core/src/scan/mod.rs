@@ -1,10 +1,10 @@
 //! Beams of one scanner position, cut into angular tiles and packed.
 //!
-//! All beams of a terrestrial scan start at one point, so a tile of neighbouring directions is a narrow
-//! [`Cone`]. A [`Patch`] stores one tile: a [`Header`] that answers where it looks and how far, and a bit-packed
-//! payload. A [`View`] is the decoded tile as a small range image, in which "which beams pass near this point"
-//! is a question of two angles. Two other kinds are the same type on slower paths: beams of a moving platform, each with an
-//! origin of its own, and points whose origin nobody knows ([`Origins`]).
+//! All beams of a terrestrial scan start at one point, so a tile of neighbouring directions is a narrow [`Cone`]. A
+//! [`Patch`] stores one tile: a [`Header`] that answers where it looks and how far, and a bit-packed payload. A
+//! [`View`] is the decoded tile as a small range image, in which "which beams pass near this point" is a question of
+//! two angles. Two other kinds are the same type on slower paths: beams of a moving platform, each with an origin of
+//! its own, and points whose origin is unknown ([`Origins`]).
 
 mod angular_grid;
 mod bitpack;

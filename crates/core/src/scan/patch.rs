@@ -12,7 +12,7 @@ use crate::num::sections::{BODY, put_section};
 
 /// A tile of beams, packed. See [`Header`] for the layout; the payload holds a bitmap of returns (only with
 /// [`Header::FLAG_NO_RETURNS`]), the leading axis u8 (3: none), the three columns of quantised offsets, the leading one
-/// first, and the optional planes in the order of their flags.
+/// first, and the optional attributes in the order of their flags.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
     header: Header,
@@ -23,7 +23,7 @@ impl Patch {
     /// Default unit of the packed coordinates: 0.1 mm, so at most 0.05 mm off per axis.
     pub const QUANTUM_M: f64 = 1e-4;
 
-    /// Packs beams with their planes. Coordinates of returns are kept to half a quantum an axis.
+    /// Packs beams with their attributes. Coordinates of returns are kept to half a quantum per axis.
     pub fn pack(setting: &Setting, content: &Content) -> Result<Self> {
         let (header, payload) = encode(setting, content)?;
         Ok(Self { header, payload })
@@ -60,18 +60,18 @@ impl Patch {
         out
     }
 
-    /// The beams of bytes that this database wrote, without intensity and colour: checksum and structure are checked,
+    /// The beams in bytes that this database wrote, without intensity and colour: checksum and structure are checked,
     /// the header is taken as it is.
     pub fn beams_of(bytes: &[u8]) -> Result<(Header, Content)> {
         read(bytes, false)
     }
 
-    /// The same with all planes.
+    /// The same with all attributes.
     pub fn content_of(bytes: &[u8]) -> Result<(Header, Content)> {
         read(bytes, true)
     }
 
-    /// Reads foreign bytes: the header must describe the beams, to the rounding of other machines.
+    /// Reads bytes from outside: the header must describe the beams, up to the rounding of other machines.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let (header, content) = Self::content_of(bytes)?;
         let payload = Header::payload(bytes)?.to_vec();
@@ -193,7 +193,7 @@ mod tests {
     }
 
     proptest! {
-        /// Ends of moving beams are kept as well as those of one origin, and planes to the bit.
+        /// Ends of moving beams are kept as precisely as those of one origin, and attributes to the bit.
         #[test]
         fn planes_round_trip(readings in prop::collection::vec(any_reading(), 1..300), intensity: bool, colour: bool, at in any::<usize>(), x in 1u8..) {
             let vec = |(x, y, z): (f64, f64, f64)| Vec3::new(x, y, z);
@@ -227,7 +227,8 @@ mod tests {
             prop_assert!(noticed);
         }
 
-        /// Even where the checksum is right, a payload of nonsense gives an error or beams, and takes no memory beyond them.
+        /// Even where the checksum is right, a nonsensical payload gives an error or beams, and takes no memory beyond
+        /// them.
         #[test]
         fn nonsense_under_a_right_checksum(payload in prop::collection::vec(any::<u8>(), 0..600), flags in 0u8..32, n in 1u32..5000) {
             let beams = [Beam { offset: Vec3::new(5.0, 0.0, 0.3), returned: true }];
@@ -241,8 +242,8 @@ mod tests {
         }
     }
 
-    /// Whoever forges a checksum still cannot make a header tell other boxes than its beams have; station and step are
-    /// as one says.
+    /// Whoever forges a checksum still cannot make a header claim other boxes than its beams have; station and step are
+    /// taken as stated.
     #[test]
     fn forged_headers_are_refused() {
         let beams: Vec<Beam> =

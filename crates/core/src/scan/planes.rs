@@ -1,11 +1,11 @@
-//! The optional planes behind the beams: starts, intensity, colour.
+//! The optional attributes stored behind the beams: starts, intensity, colour.
 
 use super::bitpack;
 use super::{Content, Header};
 use crate::error::Result;
 use crate::num::bytes::Reader;
 
-/// Appends intensity, then colour (green, and red and blue that follow it), as far as they are there.
+/// Appends intensity, then colour (green, and red and blue that follow it), where present.
 pub fn pack(content: &Content, out: &mut Vec<u8>) {
     if let Some(intensity) = &content.intensity {
         bitpack::pack(&intensity.iter().map(|&v| i32::from(v)).collect::<Vec<_>>(), None, out);
@@ -18,7 +18,7 @@ pub fn pack(content: &Content, out: &mut Vec<u8>) {
     }
 }
 
-/// Reads what [`pack`] wrote into `content`, whose beams are there.
+/// Reads what [`pack`] wrote into `content`, whose beams have been read.
 pub fn unpack(r: &mut Reader, flags: u8, content: &mut Content) -> Result<()> {
     let n = content.len();
     if flags & Header::FLAG_INTENSITY != 0 {

@@ -1,4 +1,4 @@
-//! Patches of a moving platform, as the patches of one origin that they are made of.
+//! Patches of a moving platform, split into patches of one origin.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::NEVER;
 use crate::error::Result;
 
 /// Cuts beams that start at many places into groups of one origin and one cone, each with a header of its own; mostly
-/// single beams. The order follows the first beam of each place.
+/// single beams. Groups are ordered by the first beam of each place.
 pub fn by_origin(header: &Header, content: &Content) -> Result<Vec<(Header, Vec<Beam>)>> {
     let mut places: BTreeMap<[u64; 3], Vec<u32>> = BTreeMap::new();
     for i in 0..content.len() {

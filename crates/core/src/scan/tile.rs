@@ -6,13 +6,13 @@ use crate::{Interrupt, Result, poll, poll_now_and_then};
 
 /// Most beams of a tile.
 pub const MAX_BEAMS: usize = 4096;
-/// Widest tile on the cube map, about 1 rad: sparse scans get more, smaller tiles rather than wide cones.
+/// Widest tile on the cube map, about 1 rad: sparse scans get more and smaller tiles rather than wide cones.
 const MAX_EXTENT: f64 = 1.0;
 
 /// Cuts beams into tiles of at most [`MAX_BEAMS`] neighbouring directions; each is a list of beam numbers in scan
 /// order. Every beam is in exactly one tile; beams of zero length are in none.
 ///
-/// Directions are laid on the faces of a cube (no pole, unlike azimuth and elevation), then each face is halved
+/// Directions are projected onto the faces of a cube (no pole, unlike azimuth and elevation). Then each face is halved
 /// across its longer side into equal counts until the tiles are small.
 pub fn tiles(beams: &[Beam], interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
     let mut faces: [Vec<Place>; 6] = Default::default();
@@ -29,9 +29,9 @@ pub fn tiles(beams: &[Beam], interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
     Ok(out)
 }
 
-/// Angle between neighbouring beams, radians, when the scanner does not tell: the square root of the solid angle
-/// that the tile covers a beam. The covered part is counted in cells that hold about four beams each, so that
-/// holes do not widen it.
+/// Angle between neighbouring beams, radians, when the scanner does not tell it: the square root of the solid angle
+/// that the tile covers per beam. The covered part is counted in cells that hold about four beams each, so that holes
+/// do not widen it.
 pub fn mean_step(beams: &[Beam]) -> f64 {
     let directions: Vec<Vec3> = beams.iter().filter_map(|b| b.offset.try_normalize(1e-12)).collect();
     let cone = Cone::around(&directions);
@@ -59,7 +59,7 @@ struct Place {
     beam: u32,
 }
 
-/// Face of the cube that a direction meets, and where on it, each coordinate in [−1, 1].
+/// The face of the cube that a direction meets, and where on it, each coordinate in [−1, 1].
 fn cube_map(v: &Vec3) -> Option<(usize, [f64; 2])> {
     let axis = v.iamax();
     let top = v[axis].abs();

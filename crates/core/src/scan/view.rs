@@ -6,8 +6,8 @@ use crate::geometry::Vec3;
 
 /// Beams of one origin, sorted into the cells of an angular grid.
 ///
-/// Directions are projected on the plane at unit distance along the cone's axis (gnomonic: straight lines stay
-/// straight). Beams of a cell, and of neighbouring cells of a row, lie side by side in memory.
+/// Directions are projected onto the plane at unit distance along the cone's axis (gnomonic: straight lines stay
+/// straight). Beams of a cell, and of neighbouring cells of a row, are adjacent in memory.
 #[derive(Debug)]
 pub struct View {
     /// The patch's header.
@@ -70,7 +70,7 @@ impl View {
         (depth > 1e-6 * offset.norm()).then(|| gnomonic(&self.header.cone, &self.basis, offset))
     }
 
-    /// Slot ranges, one a row of cells, that hold all beams within the image rectangle (and some around it).
+    /// Slot ranges, one per row of cells, that hold all beams within the image rectangle (and some around it).
     pub fn slots_in(&self, min: [f64; 2], max: [f64; 2]) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         self.grid.slots_in(min, max)
     }

@@ -6,14 +6,14 @@ use crate::error::{Error, Result};
 use crate::num::chi_square;
 use crate::num::eigen;
 
-/// A correlation eigenvalue below this counts as zero: rank is judged free of units.
+/// A correlation eigenvalue below this counts as zero: rank is judged independently of units.
 const RANK_TOLERANCE: f64 = 1e-13;
 /// Deviation that a direction without any variance may show, metres or radians: rounding of projected coordinates.
 const EXACT_TOLERANCE: f64 = 1e-8;
-/// A scaled eigenvalue above the negative of this is none but for rounding.
+/// A scaled eigenvalue above the negative of this is negative only by rounding.
 const ROUNDING: f64 = 1e-8;
-/// In the check for a covariance a variance counts for no less than this part of the largest entry: below it stands what
-/// rounding left of propagation.
+/// In the check for a covariance a variance counts for no less than this fraction of the largest entry: anything below
+/// is what rounding left of propagation.
 const LEAST_SHARE: f64 = 1e-6;
 
 /// Checks that `m` is finite, symmetric and positive semi-definite (to rounding) and returns it exactly symmetric.
@@ -34,8 +34,8 @@ pub fn checked<const N: usize>(what: &'static str, m: &SMatrix<f64, N, N>) -> Re
     Ok(symmetric)
 }
 
-/// The same matrix, or where cancellation left it with negative eigenvalues (an error with a lever of a whole projected
-/// system taken back) the nearest one without, in the scaled sense.
+/// The same matrix, or, where cancellation left it with negative eigenvalues (a transform with a lever as long as a
+/// projected system, taken back), the nearest one without, in the scaled sense.
 pub fn settled<const N: usize>(m: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
     let scale = scale_of(m);
     if m.iter().any(|x| !x.is_finite()) {
@@ -52,7 +52,7 @@ pub fn settled<const N: usize>(m: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
     (back + back.transpose()) * 0.5
 }
 
-/// Standard deviations, none less than the share that rounding leaves of the largest.
+/// Standard deviations, none smaller than the fraction of the largest that rounding leaves.
 fn scale_of<const N: usize>(m: &SMatrix<f64, N, N>) -> SVector<f64, N> {
     let floor = (LEAST_SHARE * m.amax()).max(f64::MIN_POSITIVE);
     SVector::from_fn(|i, _| m[(i, i)].max(floor).sqrt())
@@ -67,7 +67,7 @@ fn eigen_of<const N: usize>(m: &SMatrix<f64, N, N>) -> SymmetricEigen<f64, Dyn> 
 }
 
 /// The matrix scaled to a unit diagonal, and the scales; rows without variance keep theirs. By Sylvester's law the
-/// signs of the eigenvalues are the same, but units no longer matter.
+/// signs of the eigenvalues stay the same, but units no longer matter.
 fn correlation<const N: usize>(m: &SMatrix<f64, N, N>) -> (SMatrix<f64, N, N>, SVector<f64, N>) {
     let scale = SVector::<f64, N>::from_fn(|i, _| if m[(i, i)] > 0.0 { m[(i, i)].sqrt() } else { 1.0 });
     (divided(m, &scale), scale)

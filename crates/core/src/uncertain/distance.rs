@@ -8,7 +8,7 @@ use crate::num::eigen;
 
 /// A distance and its standard deviation, metres.
 ///
-/// Where the distance is nought its direction, and so its derivative, is undefined: the standard deviation is then that
+/// Where the distance is zero its direction, and so its derivative, is undefined: the standard deviation is then that
 /// of the most uncertain direction, an upper bound.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Distance {

@@ -13,9 +13,9 @@ use crate::num::eigen;
 use crate::{Interrupt, poll_now_and_then};
 
 const ROUNDS: usize = 10;
-/// Standard deviation of a point that is called exact among uncertain ones, metres.
+/// Standard deviation given to a point that is called exact among uncertain ones, metres.
 const LEAST_SD_M: f64 = 1e-6;
-/// The points must spread by this part of their length in a direction to determine one across.
+/// The points must spread by this fraction of their length in a direction to determine a direction across it.
 const LEAST_SPREAD: f64 = 1e-6;
 
 /// Two unit vectors that make a right-handed frame with `axis`.

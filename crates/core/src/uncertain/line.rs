@@ -27,7 +27,7 @@ impl Line {
         Self { start, end, covariance }.in_range()?.with_length()
     }
 
-    /// The same line, unless its ends are one place.
+    /// The same line, unless its ends coincide.
     pub(super) fn with_length(self) -> Result<Self> {
         if self.span().norm() > join::LEAST_LENGTH_M {
             return Ok(self);
@@ -70,7 +70,8 @@ impl Line {
         j
     }
 
-    /// Homogeneous Plücker line (L_h = Y − X, L_0 = X × Y) about `reference` and its covariance (M 2.7, 2.8).
+    /// Homogeneous Plücker line (L_h = Y − X, L_0 = X × Y) about `reference` and its covariance (Meyer (2022), eqs. 2.7
+    /// and 2.8).
     pub fn plucker(&self, reference: &Vec3) -> (Vector6<f64>, Matrix6<f64>) {
         let (x, y) = (self.start - reference, self.end - reference);
         let (h, zero) = (y - x, x.cross(&y));

@@ -89,7 +89,7 @@ pub(super) fn check_coordinates(p: &Vec3) -> Result<()> {
     }
 }
 
-/// A standard deviation that is one.
+/// A standard deviation, checked to be finite and not negative.
 pub fn checked_sd(what: &'static str, sd: f64) -> Result<f64> {
     if sd >= 0.0 && sd.is_finite() { Ok(sd) } else { Err(Error::argument(what, "0 or more, and finite", sd)) }
 }

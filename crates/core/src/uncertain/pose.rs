@@ -28,7 +28,7 @@ pub struct Pose {
 }
 
 impl Pose {
-    /// A pose from a quaternion w, x, y, z (made a unit), checked.
+    /// A pose from a quaternion w, x, y, z (which is normalised), checked.
     pub fn new(quaternion: [f64; 4], translation: Vec3, scale: f64, covariance: &Matrix7) -> Result<Self> {
         let [w, x, y, z] = quaternion;
         let q = Quaternion::new(w, x, y, z);
@@ -43,7 +43,7 @@ impl Pose {
         Self { rotation: UnitQuaternion::from_quaternion(q), translation, scale, covariance }.checked()
     }
 
-    /// Standard deviations of rotation (radians, each axis), translation (metres, each axis) and scale (relative).
+    /// Standard deviations of rotation (radians per axis), translation (metres per axis) and scale (relative).
     pub fn diagonal(sd_rotation: f64, sd_translation: f64, sd_scale: f64) -> Result<Matrix7> {
         let r = checked_sd("sd_rotation", sd_rotation)?.powi(2);
         let t = checked_sd("sd_translation", sd_translation)?.powi(2);

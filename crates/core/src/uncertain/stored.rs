@@ -10,7 +10,7 @@ use crate::num::text::number;
 pub trait Stored<const N: usize>: Sized {
     /// SQL name of the type.
     const NAME: &'static str;
-    /// How many of the numbers stand before the covariance; a `;` parts the two in text.
+    /// How many of the numbers precede the covariance; a `;` separates the two in text.
     const COORDINATES: usize;
 
     /// The numbers.
@@ -19,7 +19,8 @@ pub trait Stored<const N: usize>: Sized {
     /// The value of numbers that were checked when they were stored.
     fn from_stored(numbers: &[f64; N]) -> Self;
 
-    /// The same value if it obeys every rule of its type, else the rule it breaks. Changes no bit of a valid one.
+    /// The same value if it obeys every rule of its type, otherwise the rule that it breaks. Changes no bit of a valid
+    /// one.
     fn checked(self) -> Result<Self>;
 
     /// The same value with its covariance [`super::covariance::settled`].
@@ -30,7 +31,7 @@ pub trait Stored<const N: usize>: Sized {
         self.settled().in_range()
     }
 
-    /// The same value if its numbers are finite and its coordinates within 1e9 m: what a construction can get wrong.
+    /// The same value if its numbers are finite and its coordinates within 1e9 m, which a construction may violate.
     fn in_range(self) -> Result<Self> {
         let numbers = self.to_numbers();
         if let Some(c) =
@@ -71,7 +72,7 @@ pub trait Stored<const N: usize>: Sized {
         Self::from_numbers(&numbers)
     }
 
-    /// The value of foreign numbers, checked.
+    /// The value of numbers from outside, checked.
     fn from_numbers(numbers: &[f64; N]) -> Result<Self> {
         if let Some(x) = numbers.iter().find(|x| !x.is_finite()) {
             return Err(Error::argument("a number of the value", "finite", x));

@@ -18,7 +18,7 @@ pub struct Test {
     pub statistic: f64,
     /// Degrees of freedom: the rank of the residual's covariance.
     pub dof: u32,
-    /// Probability of a statistic as large or larger where the relation holds.
+    /// Probability of a statistic at least as large, given that the relation holds.
     pub p_value: f64,
 }
 

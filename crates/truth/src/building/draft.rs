@@ -1,4 +1,4 @@
-//! A plan under the pencil.
+//! A plan being drawn.
 
 use anyhow::Result;
 use asbuilt_core::geometry::{Solid, Vec3};
@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::{Footprint, Kind, Object};
 
-/// Objects so far, and the places that they take.
+/// Objects so far, and the places that they occupy.
 pub struct Draft<'a> {
     pub rng: &'a mut ChaCha8Rng,
     pub objects: Vec<Object>,
@@ -32,7 +32,7 @@ impl<'a> Draft<'a> {
         Ok(())
     }
 
-    /// A place where nothing stands (or hangs) yet, taken from now on.
+    /// A place where nothing stands (or hangs) yet; it counts as taken afterwards.
     pub fn free(&mut self, extent: [f64; 2], standing: bool) -> Option<Footprint> {
         let taken = if standing { &mut self.standing } else { &mut self.hanging };
         let found = free_place(self.rng, &self.size, extent, 0.35, taken)?;

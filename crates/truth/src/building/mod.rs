@@ -1,4 +1,4 @@
-//! Buildings as drawn: a seed makes a layout nobody has tuned anything to.
+//! Buildings as drawn: a seed makes a layout to which nothing has been tuned.
 
 mod draft;
 mod panel;
@@ -26,7 +26,7 @@ pub enum Layout {
 }
 
 impl Layout {
-    /// Of scene `i` of a set: every third has rooms.
+    /// The layout of scene `i` of a set: every third has rooms.
     pub fn number(i: usize) -> Self {
         if i % 3 == 2 { Self::Rooms } else { Self::Storey }
     }
@@ -36,7 +36,7 @@ impl Layout {
     }
 }
 
-/// What an object is: tells in which direction it could plausibly be off.
+/// What an object is, which tells in which direction it could plausibly be displaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Floor or ceiling: up or down.
@@ -55,11 +55,11 @@ pub struct Object {
     pub name: String,
     pub kind: Kind,
     pub solid: Solid,
-    /// Unit vector: a plate's normal, a bar's length; else z.
+    /// Unit vector: a plate's normal, a bar's direction; otherwise z.
     pub axis: Vec3,
 }
 
-/// A storey with its objects, in a frame turned and moved against the plan's.
+/// A storey with its objects, in a frame rotated and moved relative to the plan's.
 #[derive(Debug)]
 pub struct Building {
     pub layout: Layout,

@@ -10,7 +10,7 @@ use super::draft::Draft;
 use super::panel::{Opening, Panel};
 use super::{Footprint, Kind};
 
-/// Where a wall's outline (u along it, v up, w across) lies in plan.
+/// How a wall's outline (u along it, v up, w across) is placed in the plan.
 #[derive(Clone, Copy)]
 enum Along {
     /// Along x; w counts from y downwards.
@@ -33,7 +33,7 @@ impl Along {
 }
 
 impl Draft<'_> {
-    /// Draws it all.
+    /// Draws everything.
     pub fn rooms(&mut self) -> Result<()> {
         let rise = self.rng.random_range(0.0..0.12);
         self.floor_and_roof(rise)?;

@@ -1,4 +1,4 @@
-//! A hall and what stands and hangs in it.
+//! A hall, and what stands and hangs in it.
 
 use anyhow::Result;
 use asbuilt_core::geometry::{Solid, Vec3};
@@ -9,7 +9,7 @@ use super::draft::Draft;
 use super::{Footprint, Kind};
 
 impl Draft<'_> {
-    /// Draws it all.
+    /// Draws everything.
     pub fn storey(&mut self) -> Result<()> {
         self.shell()?;
         self.partitions()?;

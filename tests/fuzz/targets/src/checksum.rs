@@ -1,4 +1,4 @@
-//! Mutated bytes under checksums that hold: else every mutation ends at the first check.
+//! Mutated bytes with valid checksums: otherwise every mutation would end at the first check.
 
 /// Tag, length and checksum before the content of a section (`num/sections.rs` of the core).
 const SECTION_HEAD: usize = 12;
@@ -18,7 +18,7 @@ pub fn mended(data: &[u8]) -> Vec<u8> {
     bytes
 }
 
-/// The checksum at a place is of all that follows another.
+/// Sets the checksum at one place, which covers everything from another place on.
 fn flat(bytes: &mut [u8], at: usize, from: usize) {
     if let Some(body) = bytes.get(from..) {
         let checksum = crc(&[body]);

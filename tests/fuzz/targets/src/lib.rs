@@ -1,8 +1,9 @@
-//! What the fuzzer calls: each decoder of the core with foreign bytes, and every question to what it took.
+//! What the fuzzer calls: each decoder of the core with bytes from outside, and every question about what it accepted.
 //!
 //! Two kinds of target: one reads the input as the stored form of a value; the other builds a value out of the input,
-//! which gets past the checksums, and demands that `decode(encode(x)) == x`. A panic is a finding; so is what does not
-//! end: every call gets an [`asbuilt_core::Interrupt`] that says stop after a while, as a cancelled query would.
+//! which gets past the checksums, and demands that `decode(encode(x)) == x`. A panic is a finding, and so is a call
+//! that does not end: every call gets an [`asbuilt_core::Interrupt`] that says stop after a while, as a cancelled query
+//! would.
 
 #![forbid(unsafe_code)]
 
@@ -24,7 +25,7 @@ pub struct Target {
     pub run: fn(&[u8]),
 }
 
-/// All of them; the corpus of each lies in `tests/fuzz/corpus/NAME`.
+/// All of them; the corpus of each is in `tests/fuzz/corpus/NAME`.
 pub const TARGETS: &[Target] = &[
     Target { name: "solid", run: solid::decode },
     Target { name: "solid_built", run: solid::build },
@@ -39,7 +40,7 @@ pub const TARGETS: &[Target] = &[
     Target { name: "texts", run: texts::read },
 ];
 
-/// Runs work with an interrupt that says stop when it was asked often: the work is bounded if it asks at all.
+/// Runs work with an interrupt that says stop after it was asked many times: the work is bounded if it asks at all.
 fn bounded<T>(work: impl FnOnce(asbuilt_core::Interrupt) -> T) -> T {
     let asked = AtomicU64::new(0);
     work(&|| asked.fetch_add(1, Ordering::Relaxed) > 2000)

@@ -50,7 +50,7 @@ fn round_trip(solid: &Solid) {
     }
 }
 
-/// Everything that SQL asks of a solid.
+/// Every question that SQL puts to a solid.
 fn questions(solid: &Solid) {
     let (bounds, area) = (solid.bounds(), solid.area());
     let _ = (solid.volume(), solid.closedness(), bounded(|i| solid.fingerprint(i)));

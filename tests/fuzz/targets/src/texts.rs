@@ -1,4 +1,4 @@
-//! Text forms: what is taken reads back the same.
+//! Text forms: what is accepted reads back the same.
 
 use std::fmt::Debug;
 

@@ -18,7 +18,7 @@ pub fn patch(data: &[u8]) {
     }
 }
 
-/// What SQL does with a stored patch, which it believes more than a foreign one.
+/// What SQL does with a stored patch, which it trusts more than bytes from outside.
 pub fn edits(bytes: &[u8]) {
     let Ok((header, content)) = Patch::content_of(bytes) else { return };
     let half = Aabb { min: header.points.min, max: header.points.centre().into() };
@@ -64,7 +64,7 @@ pub fn same_through_bytes(e: &Evidence) {
     }
 }
 
-/// Everything that SQL asks of evidence.
+/// Every question that SQL puts to evidence.
 pub fn questions(e: &Evidence) {
     let rule = VerdictRule::default();
     for model in [*e.model(), EvidenceModel::default()] {

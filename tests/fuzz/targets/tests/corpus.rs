@@ -1,4 +1,4 @@
-//! The kept corpus, an ordinary test: no sancov, no libFuzzer.
+//! The kept corpus, as an ordinary test: no sancov, no libFuzzer.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! `asbuilt load`: models and scans into the tables of the tour, one file a transaction.
+//! `asbuilt load`: models and scans into the database's tables, one file per transaction.
 
 mod model;
 mod scans;
@@ -85,7 +85,7 @@ pub fn run(args: &LoadArgs) -> Result<()> {
     warn_apart(&mut db, args.epoch)
 }
 
-/// Everything but the commit; a file that cannot be loaded keeps none of the others from being tried.
+/// Everything but the commit; a file that cannot be loaded does not keep the others from being tried.
 fn rehearse(args: &LoadArgs, kinds: &[Kind], db: &mut Database) -> Result<()> {
     let is_made = layout::is_made(db)?;
     let (mut names, current) = (db.names.clone(), db.current_schema.clone());
@@ -131,7 +131,7 @@ fn store(args: &LoadArgs, file: &Path, kind: Kind, names: &Names, tx: &mut Trans
     }
 }
 
-/// What the rows of a file are known by.
+/// How the rows of a file are identified.
 fn source(file: &Path) -> String {
     file.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
@@ -142,7 +142,7 @@ fn shown(b: &Aabb) -> String {
     Aabb { min: mm(b.min), max: mm(b.max) }.to_text()
 }
 
-/// Models and scans in different frames are a common mistake, and all objects would come out unobserved.
+/// Warns about models and scans in different frames: a common mistake that leaves all objects unobserved.
 fn warn_apart(db: &mut Database, epoch: i32) -> Result<()> {
     let question = db.sql(
         "SELECT EXISTS (SELECT FROM @building_object), EXISTS (SELECT FROM @scan WHERE epoch = $1::int4),

@@ -80,7 +80,7 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
     Ok(())
 }
 
-/// Its own level of accuracy, or the given one. A property that names no level is said, not guessed.
+/// The object's own level of accuracy, or the given one. A property that names no level is reported, not guessed.
 fn level(p: &ifc::Product, default: Loa) -> Result<Loa> {
     match &p.level_of_accuracy {
         None => Ok(default),
@@ -141,7 +141,7 @@ fn report(source: &str, model: &ifc::Model, meshed: usize, open: &[String], boun
     model.warnings.iter().for_each(|w| say!("  warning: {w}"));
 }
 
-/// Names all missing, but of a long list only the beginning unless they are few.
+/// Prints a list of names, of a long one only the beginning.
 fn list(what: &str, names: &[String]) {
     const SHOWN: usize = 40;
     names.iter().take(SHOWN).for_each(|n| say!("  {what}: {n}"));

@@ -72,7 +72,7 @@ impl Station<'_> {
         }
     }
 
-    /// The row of the position; returns its number.
+    /// Inserts the row of the position; returns its number.
     fn insert(&self, names: &Names, tx: &mut Transaction) -> Result<i64> {
         let head = self.head;
         let translation = head.world_from_scan.map(|_| head.anchor.to_vec());
@@ -123,7 +123,7 @@ impl Total {
         self.points = self.points.union(&packed.points);
     }
 
-    /// Says what was loaded; nothing is an error.
+    /// Reports what was loaded; loading nothing is an error.
     fn report(&self, args: &LoadArgs, file: &Path, source: &str) -> Result<()> {
         if self.returns() == 0 {
             let why = match self.too_near {

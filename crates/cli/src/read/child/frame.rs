@@ -1,4 +1,4 @@
-//! Frames between the reading process and its parent: a kind, a length, as many bytes.
+//! Frames between the reading process and its parent: a kind, a length, and as many bytes.
 
 use std::io::{ErrorKind, Read, Write};
 
@@ -24,7 +24,7 @@ pub enum Kind {
     Failure = 6,
 }
 
-/// A scan before its patches.
+/// A scan, sent before its patches.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct ScanHead {
     pub name: String,
@@ -34,15 +34,15 @@ pub struct ScanHead {
     /// World metres.
     pub anchor: [f64; 3],
     pub is_empty: bool,
-    /// Points that are no points.
+    /// Number of unusable points.
     pub unusable: u64,
-    /// What the user is to know about it.
+    /// What the user should know about it.
     pub notes: Vec<String>,
-    /// What the file tells of itself.
+    /// What the file says about itself.
     pub facts: Facts,
 }
 
-/// No patch and no name is longer; PostgreSQL takes no more either.
+/// Longest frame: no patch and no name is longer; PostgreSQL takes no more either.
 const LONGEST: u32 = 1 << 30;
 
 pub fn write(out: &mut impl Write, kind: Kind, bytes: &[u8]) -> Result<()> {

@@ -1,5 +1,5 @@
-//! Files are read by child processes of this program: what a hostile file does to its reader (memory, stack, time)
-//! costs no more than an error, and the connection to the database lives on.
+//! Files are read by child processes of this program: whatever a hostile file does to its reader (memory, stack, time)
+//! costs no more than an error, and the connection to the database survives.
 //!
 //! * [`frame`]: what is written to the pipe;
 //! * [`worker`]: the child's side: reads, packs, writes;

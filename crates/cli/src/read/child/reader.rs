@@ -24,9 +24,9 @@ pub struct Reader {
 pub enum Event {
     /// A scan; unless it is empty, [`Reader::answer`] is waited for.
     Scan(ScanHead),
-    /// The bytes of a patch of it.
+    /// The bytes of one of its patches.
     Patch(Vec<u8>),
-    /// All patches of it were sent.
+    /// All of its patches have been sent.
     Packed(Packed),
 }
 
@@ -62,7 +62,7 @@ impl Reader {
         Err(anyhow!("{}: {}", self.job.file.display(), epitaph(status, &words, self.job.max_memory)))
     }
 
-    /// Tells the number of the station to which the patches belong.
+    /// Sends the number of the station to which the patches belong.
     pub fn answer(&mut self, station: i64) -> Result<()> {
         // Where it is gone, the next event says why.
         let _ = self.answers.write_all(&station.to_be_bytes()).and_then(|()| self.answers.flush());

@@ -12,7 +12,7 @@ use super::frame::{Kind, ScanHead, write};
 use crate::read::{RawScan, read_scans};
 use crate::stations::pack;
 
-/// The pipe to the parent, for the reader and for who tells its progress.
+/// The pipe to the parent, shared by the reader and the progress reports.
 #[derive(Clone)]
 struct Pipe(Arc<Mutex<BufWriter<Stdout>>>);
 
@@ -25,7 +25,7 @@ impl Pipe {
     }
 }
 
-/// Reads the file and answers on standard output, be it with why it cannot be read.
+/// Reads the file and answers on standard output, if only with the reason why it cannot be read.
 pub fn answer(job: &Job) -> Result<()> {
     crate::memory::limit(job.max_memory)?;
     let pipe = Pipe(Arc::new(Mutex::new(BufWriter::with_capacity(1 << 18, stdout()))));
@@ -58,7 +58,7 @@ fn send(job: &Job, mut scan: RawScan, pipe: &Pipe) -> Result<()> {
     pipe.send(Kind::Packed, &packed.to_bytes()?)
 }
 
-/// Tells the progress now and then; where nobody listens any more, the parent is gone and so is this process.
+/// Reports progress at intervals; when nobody listens, the parent is gone and this process ends.
 fn tell(pipe: &Pipe, bar: &ProgressBar) {
     let (pipe, bar) = (pipe.clone(), bar.clone());
     std::thread::spawn(move || {

@@ -1,4 +1,4 @@
-//! XML of an E57 file that its library refuses, set right: in Latin-1, or with an extension declared twice.
+//! XML of an E57 file that the library refuses, corrected: in Latin-1, or with an extension declared twice.
 
 use std::fs::File;
 use std::io::{BufReader, Read, Seek};
@@ -10,16 +10,16 @@ use encoding_rs::WINDOWS_1252;
 
 use crate::read::overlay::Overlay;
 
-/// Checksummed pages that the file is made of, and what of each is content.
+/// Size of the checksummed pages that the file is made of, and how much of each is content.
 const PAGE: usize = 1024;
 const CONTENT: usize = PAGE - 4;
-/// Length of the file, place and length of the XML in the head (ASTM E2807-11, table 1).
+/// Positions in the file's header of the file's length and of the XML's place and length (ASTM E2807-11, table 1).
 const LENGTH_AT: usize = 16;
 const XML_AT: usize = 24;
 
 pub type Reader = E57Reader<BufReader<Overlay<File>>>;
 
-/// Opens the file; where the library refuses it, with its XML set right, and what was done.
+/// Opens the file; where the library refuses it, with its XML corrected. Also returns what was done.
 pub fn open(path: &Path) -> Result<(Reader, Vec<String>)> {
     let again = || anyhow::Ok(Overlay::new(File::open(path).context("cannot open it")?)?);
     let refused = match reader(again()?) {
@@ -37,7 +37,7 @@ fn reader(mut file: Overlay<File>) -> Result<Reader> {
     E57Reader::new(BufReader::new(file)).context("not a readable E57 file")
 }
 
-/// The XML as it should be; `None` where it is, or cannot be read at all.
+/// The XML as it should be; `None` where it is correct already, or cannot be read at all.
 fn mended(file: &mut Overlay<File>) -> Option<(String, String)> {
     file.rewind().ok()?;
     let bytes = E57Reader::raw_xml(&mut *file).ok()?;
@@ -50,7 +50,7 @@ fn mended(file: &mut Overlay<File>) -> Option<(String, String)> {
     }
 }
 
-/// The XML with every namespace of its root declared once; `None` where that is so.
+/// The XML with every namespace of its root declared once; `None` where it is so already.
 fn once(xml: &str) -> Option<String> {
     let start = xml.find("<e57Root")?;
     let end = start + xml[start..].find('>')?;
@@ -73,7 +73,7 @@ fn once(xml: &str) -> Option<String> {
     (out.len() < xml.len()).then_some(out)
 }
 
-/// Puts the XML into pages behind the file's end, and its place into the head.
+/// Writes the XML into pages after the file's end, and its place into the header.
 fn put_xml(file: &mut Overlay<File>, xml: &str) -> Result<()> {
     let start = file.len().next_multiple_of(PAGE as u64);
     let pages: Vec<u8> = xml.as_bytes().chunks(CONTENT).flat_map(page).collect();
@@ -89,7 +89,7 @@ fn put_xml(file: &mut Overlay<File>, xml: &str) -> Result<()> {
     Ok(())
 }
 
-/// A page of content and its checksum, which stands in big-endian order.
+/// A page of content and its checksum, which is big-endian.
 fn page(content: &[u8]) -> Vec<u8> {
     let mut page = content.to_vec();
     page.resize(CONTENT, 0);

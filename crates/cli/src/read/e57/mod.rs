@@ -44,7 +44,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     Ok(())
 }
 
-/// The file's length, after refusing a head whose XML the file cannot hold: room is made for it at once.
+/// The file's length, after refusing a header whose XML would not fit into the file: the library allocates it at once.
 fn check_head(path: &Path) -> Result<u64> {
     let mut file = std::fs::File::open(path).context("cannot open it")?;
     let length = file.metadata()?.len();
@@ -126,7 +126,7 @@ fn read_cloud(
     Ok(scan)
 }
 
-/// Points that room is made for at once: the header may promise more than there are.
+/// Number of points for which room is made at once: the header may promise more than there are.
 const MAX_RESERVED: u64 = 1 << 24;
 
 /// Beams, cells of the grid, and how many points were not finite.
@@ -181,7 +181,7 @@ fn collect(
     Ok((content, cells, unusable))
 }
 
-/// Adds a beam and, to the planes there are, what was measured of it (0 where the file does not say).
+/// Adds a beam and, to the attributes that are kept, what was measured of it (0 where the file does not say).
 fn push(content: &mut Content, beam: Beam, point: &Point) {
     content.beams.push(beam);
     let full = |share: f32, full: f32| (share.clamp(0.0, 1.0) * full).round();
@@ -194,7 +194,7 @@ fn push(content: &mut Content, beam: Beam, point: &Point) {
     }
 }
 
-/// Where the file tells no position: makes the beams relative to the user's origin, or else to a point near them.
+/// Where the file gives no position: makes the beams relative to the user's origin, or else to a point near them.
 fn move_anchor(scan: &mut RawScan, origin: Option<Vec3>, has_origin: bool) {
     let Some(first) = scan.content.beams.first() else { return };
     if has_origin {
@@ -208,7 +208,7 @@ fn move_anchor(scan: &mut RawScan, origin: Option<Vec3>, has_origin: bool) {
     scan.world_from_scan = origin.map(|_| NO_ROTATION);
 }
 
-/// Fields, times, and what else a cloud says.
+/// Fields, times, and whatever else a cloud says about itself.
 fn facts(cloud: &PointCloud) -> Facts {
     let fields: Vec<String> = cloud.prototype.iter().map(|r| format!("{:?}", r.name)).collect();
     let mut out = Facts::from([

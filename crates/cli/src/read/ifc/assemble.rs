@@ -1,4 +1,4 @@
-//! A model of what the meshing process told.
+//! A model assembled from what the meshing process reported.
 
 use std::collections::{HashMap, HashSet};
 
@@ -58,7 +58,7 @@ fn take(product: &mut Product, outcome: Outcome, model: &mut Model) -> Option<St
     None
 }
 
-/// Why a mesh is none of a building: an impossible place, or nothing between its faces.
+/// Why a mesh cannot belong to a building: an impossible place, or nothing between its faces.
 fn no_solid(product: &Product) -> Option<String> {
     let far = product.vertices.iter().flatten().copied().find(|c| c.abs() > FARTHEST_M);
     if let Some(c) = far {
@@ -79,7 +79,7 @@ fn no_solid(product: &Product) -> Option<String> {
     })
 }
 
-/// In words, short whatever it is.
+/// The reason in words, kept short.
 fn distance(c: f64) -> String {
     if c.abs() < 1e12 { format!("{c:.0}") } else { format!("{c:.1e}") }
 }

@@ -1,4 +1,4 @@
-//! What is read of every product beside its mesh.
+//! What is read about every product besides its mesh.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use super::Product;
 use super::relations::Relations;
 use super::told::{Draft, Drafts};
 
-/// Products, by their numbers, and what is none, by class.
+/// Products by their numbers, and other objects by class.
 #[derive(Default)]
 pub struct Attributes {
     pub drafts: Drafts,
@@ -64,10 +64,11 @@ fn is_left_out(t: &IfcType) -> bool {
     .any(|left_out| t.is_subtype_of(left_out))
 }
 
-/// A body in name, or a representation that the library would mesh; it passes over some bodies in silence.
+/// Whether a product has a body by name, or a representation that the library would mesh; the library silently skips
+/// some bodies.
 fn has_body(entity: &DecodedEntity, decoder: &mut EntityDecoder) -> bool {
     let Some(id) = product_shape_id(entity) else { return false };
-    // What is drawn and missing must be told, not passed over.
+    // What is drawn and missing must be reported, not skipped.
     let Ok(shape) = decoder.decode_by_id(id) else { return true };
     let ids: Vec<u32> = pds_representation_ids(&shape).collect();
     let representations: Vec<_> = ids.iter().filter_map(|&id| decoder.decode_by_id(id).ok()).collect();

@@ -1,4 +1,4 @@
-//! Why a product has no mesh, where its records themselves tell.
+//! Why a product has no mesh, where its records tell.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use ifc_lite_core::EntityIndex;
 
 use super::step::{Described, described};
 
-/// Records that are looked through, and how deep they may lie within each other.
+/// Most records that are searched, and how deeply they may be nested.
 const MOST: usize = 2000;
 const DEEPEST: usize = 64;
 
@@ -16,7 +16,7 @@ pub struct Records<'a> {
     pub index: &'a Arc<EntityIndex>,
 }
 
-/// What is wrong: a record that is missing, that is made of itself, or whose measure cannot be.
+/// What is wrong: a record that is missing, that refers to itself, or that has an impossible measure.
 pub fn of(records: &Records, product: u32) -> Option<String> {
     let mut search = Search { records, path: Vec::new(), seen: Default::default() };
     search.look(product)
@@ -59,7 +59,7 @@ impl Search<'_> {
     }
 }
 
-/// A measure that must be more than nothing and is not.
+/// A measure that must be positive and is not.
 fn wrong_measure(record: &Described) -> Option<String> {
     let Some(numbers) = &record.numbers else {
         // A record of several types at once has no list of its own.

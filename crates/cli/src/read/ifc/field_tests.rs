@@ -1,4 +1,4 @@
-//! Files of the field with their right answers, and a family of walls with recesses and windows.
+//! Files from the field with their right answers, and a family of walls with recesses and windows.
 
 use std::fmt::Write as _;
 use std::time::Duration;
@@ -26,7 +26,7 @@ pub fn volume(p: &Product) -> f64 {
     p.solid().unwrap().map_or(f64::NAN, |s| s.volume().unwrap_or(f64::NAN))
 }
 
-/// A volume of one of the products, metres³, to so many parts of itself; or a word that must be said.
+/// The volume of one of the products, m³, to within a relative error; or a word that a note must contain.
 type Right = (&'static str, &'static [f64], f64, &'static str);
 
 const FIELD: [Right; 20] = [
@@ -87,7 +87,7 @@ fn names_are_readable_and_shapes_have_their_width() {
     assert_eq!(model(big.as_bytes()).unwrap().products.len(), 1);
 }
 
-/// A wall along its own x axis, its openings as boxes: from x, z; width, height; from y to y.
+/// A wall along its own x axis, its openings as boxes: start in x and z; width and height; start and end in y.
 struct Wall {
     degrees: f64,
     size: [f64; 3],
@@ -124,7 +124,7 @@ impl Wall {
         Self { degrees, size, openings }
     }
 
-    /// By a partition of the wall's plane, in each piece of which the openings are the same.
+    /// The volume, by a partition of the wall's plane into pieces with the same openings.
     fn volume(&self) -> f64 {
         let [length, thick, high] = self.size;
         let cuts = |k: usize, end: f64| {
@@ -152,7 +152,7 @@ impl Wall {
     }
 }
 
-/// A STEP file in the making.
+/// A STEP file being built.
 pub struct File {
     text: String,
     pub last: u32,
@@ -208,7 +208,7 @@ impl File {
     }
 }
 
-/// A cut that cannot be judged is marked: an opening that nobody can mesh, one whose surface is open.
+/// A cut that cannot be judged is marked: an opening that cannot be meshed, or one whose surface is open.
 #[test]
 fn what_cannot_be_judged_is_marked() {
     let wall = Wall { degrees: 0.0, size: [4.0, 0.3, 3.0], openings: vec![[1.0, 1.0, 1.0, 1.0, -0.2, 0.2]] };

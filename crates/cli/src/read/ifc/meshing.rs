@@ -21,16 +21,16 @@ use rustc_hash::FxHashMap;
 use super::diagnose;
 use super::soup::Soup;
 
-/// A model ready to be meshed, product by product, by as many threads as there are.
+/// A model ready to be meshed, product by product, by any number of threads.
 pub struct Meshing {
     text: &'static [u8],
     index: Arc<EntityIndex>,
-    /// Openings of a host, its whole's included.
+    /// Openings of a host, including those of the whole it is part of.
     openings: FxHashMap<u32, Vec<u32>>,
-    /// Metres and radians of the file's units.
+    /// The file's units in metres and radians.
     metres: f64,
     radians: f64,
-    /// World metres of the zero that positions are relative to.
+    /// The point that positions are relative to, world metres.
     zero: [f64; 3],
     caches: Caches,
 }
@@ -48,11 +48,11 @@ pub struct Warm {
     placements: FxHashMap<u32, [f64; 16]>,
 }
 
-/// What came of a product.
+/// The result for a product.
 pub struct Meshed {
     /// World metres.
     pub soup: Soup,
-    /// What the library had to say about it.
+    /// What the library said about it.
     pub note: Option<String>,
 }
 
@@ -90,7 +90,7 @@ impl Meshing {
         })
     }
 
-    /// Metres of the unit that it is meshed with.
+    /// The unit with which it is meshed, metres.
     pub fn metres(&self) -> f64 {
         self.metres
     }
@@ -104,7 +104,7 @@ impl Meshing {
         self.with_decoder(warm, |decoder, router| self.produce(id, decoder, router))
     }
 
-    /// The product, or an opening, as it is without any cut.
+    /// The product, or an opening, without any cut.
     pub fn uncut(&self, id: u32, warm: &mut Warm) -> Option<Soup> {
         let parts = self.with_decoder(warm, |decoder, router| {
             let entity = decoder.decode_by_id(id).ok()?;
@@ -125,7 +125,7 @@ impl Meshing {
         })
     }
 
-    /// Whether its shape is cut or joined out of others.
+    /// Whether its shape is cut or joined from others.
     pub fn is_boolean(&self, id: u32, warm: &mut Warm) -> bool {
         self.with_decoder(warm, |decoder, _| {
             let shape = decoder.decode_by_id(id).ok().and_then(|e| product_shape_id(&e));
@@ -146,7 +146,7 @@ impl Meshing {
         })
     }
 
-    /// Lends `work` what the thread keeps.
+    /// Lends `work` what the thread keeps between products.
     fn with_decoder<T>(
         &self,
         warm: &mut Warm,
@@ -222,7 +222,7 @@ impl Meshing {
         Meshed { soup, note }
     }
 
-    /// Why nothing came of a product: what its records tell, else what the library says.
+    /// Why a product has no mesh: what its records tell, otherwise what the library says.
     fn loss(&self, id: u32, note: Option<String>, is_degenerate: bool) -> Option<String> {
         const POINTS: &str = "all its triangles are points or lines: its coordinates are too large beside its size, or \
             its faces have no area";
@@ -232,14 +232,14 @@ impl Meshing {
     }
 }
 
-/// Farther no coordinates of a building can lie, metres.
+/// No coordinate of a building can be larger, metres.
 pub const FARTHEST_M: f64 = 1e9;
 
 fn is_on_earth(at: [f64; 3]) -> bool {
     at.iter().all(|c| c.abs() <= FARTHEST_M)
 }
 
-/// Where the first site lies, metres, in columns.
+/// Placement of the first site, metres, as a matrix by columns.
 fn site_placement(text: &[u8], decoder: &mut EntityDecoder, router: &GeometryRouter) -> Option<[f64; 16]> {
     let mut scanner = EntityScanner::new(text);
     while let Some((_, keyword, start, end)) = scanner.next_entity() {
@@ -251,7 +251,7 @@ fn site_placement(text: &[u8], decoder: &mut EntityDecoder, router: &GeometryRou
     None
 }
 
-/// How a note begins that is about nothing but the cut.
+/// How a note begins that only concerns the cut.
 pub const DIFFICULT: &str = "cut with difficulty";
 
 /// What the library could not do, in words.

@@ -1,12 +1,12 @@
 //! IFC: products with their meshes, read by a child process so that a file that hangs or kills the geometry
 //! kernel costs no more than an error.
 //!
-//! * [`step`]: the file's text, made what the geometry library can read;
+//! * [`step`]: the file's text, rewritten so that the geometry library can read it;
 //! * [`attributes`], [`relations`]: products without their meshes;
 //! * [`meshing`], [`soup`], [`cut`]: a product's mesh, its openings cut and proven;
 //! * [`diagnose`]: why a product has no mesh;
 //! * [`worker`], [`watch`], [`reach`]: the child's side, product by product;
-//! * [`told`]: what passes between both;
+//! * [`told`]: what passes between the two;
 //! * [`reader`], [`assemble`]: the parent's side;
 //! * [`table`]: a model as text.
 
@@ -63,7 +63,7 @@ pub struct Product {
     /// World metres.
     pub vertices: Vec<[f64; 3]>,
     pub triangles: Vec<[u32; 3]>,
-    /// What the geometry library had to say about it.
+    /// What the geometry library said about it.
     pub note: Option<String>,
 }
 
@@ -71,7 +71,7 @@ pub struct Product {
 #[derive(Debug, Default)]
 pub struct Model {
     pub products: Vec<Product>,
-    /// Products with a body that could not be meshed: name and reason. They are among the products, without mesh.
+    /// Products with a body that could not be meshed: name and reason. They are among the products, without a mesh.
     pub unmeshed: Vec<(String, String)>,
     /// Products whose coordinates the geometry library rounded: name and grid, metres.
     pub rounded: Vec<(String, f64)>,
@@ -79,19 +79,19 @@ pub struct Model {
     pub left_out: BTreeMap<String, u64>,
     /// Products that have a note: name and note.
     pub noted: Vec<(String, String)>,
-    /// Products whose openings had to be cut once more, and came out right.
+    /// Products whose openings had to be cut again, and came out right.
     pub mended: usize,
     pub map_conversion: Option<MapConversion>,
-    /// Metres of its unit of length, where it tells one.
+    /// Its unit of length in metres, where it declares one.
     pub length_unit: Option<f64>,
     /// Time of meshing and of its checks, all threads together.
     pub times: Option<(Duration, Duration)>,
-    /// What is to be said of the file as a whole.
+    /// What to tell the user about the file as a whole.
     pub warnings: Vec<String>,
 }
 
 impl Model {
-    /// What the user says of the unit counts where the file says nothing; metres were taken then.
+    /// The user's unit counts where the file declares none; metres were assumed in that case.
     pub fn in_unit(mut self, given: Option<Unit>) -> Result<Self> {
         let Some(unit) = given else { return Ok(self) };
         if let Some(told) = self.length_unit {
@@ -116,7 +116,7 @@ impl Product {
         }
     }
 
-    /// Its solid: as meshed, or re-oriented where that closes it; `None` without mesh.
+    /// Its solid: as meshed, or re-oriented where that closes it; `None` without a mesh.
     pub fn solid(&self) -> Result<Option<Solid>> {
         if self.triangles.is_empty() {
             return Ok(None);

@@ -8,7 +8,7 @@ use ifc_lite_core::EntityIndex;
 use super::step::{Step, references};
 use super::told::Drafts;
 
-/// The notes of every product; most files have none.
+/// The notes for every product; most files have none.
 pub fn notes(step: &Step, index: &Arc<EntityIndex>, drafts: &Drafts) -> HashMap<u32, String> {
     let mut out = HashMap::new();
     if step.notes.is_empty() {

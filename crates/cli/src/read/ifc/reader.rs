@@ -1,5 +1,5 @@
-//! The parent's side: starts the meshing process, keeps what it tells, and starts it again without the product that
-//! it died of.
+//! The parent's side: starts the meshing process, keeps what it reports, and restarts it without the product on which
+//! it died.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{BufReader, Write};
@@ -36,7 +36,7 @@ impl Default for Limits {
     }
 }
 
-/// What is known of a model so far.
+/// What is known about a model so far.
 #[derive(Default)]
 pub struct Progress {
     pub header: Option<Header>,
@@ -116,7 +116,7 @@ impl Worker {
         Ok(Self { child, words: Some(words), told })
     }
 
-    /// Takes all that is told; `None` at its end, else why the process died.
+    /// Takes everything that is reported; `None` at its end, otherwise why the process died.
     fn listen(&mut self, progress: &mut Progress, end: Instant, limits: Limits) -> Result<Option<String>> {
         loop {
             let left = end.saturating_duration_since(Instant::now());
@@ -182,7 +182,7 @@ impl Progress {
         Ok(())
     }
 
-    /// The time of the whole is over: what is not meshed is named.
+    /// The time for the whole model is over: what is not meshed is named.
     fn give_up(&mut self, limit: Duration) -> Result<()> {
         let reason =
             format!("meshing took longer than {} s; raise --mesh-timeout, or repair the file", limit.as_secs());

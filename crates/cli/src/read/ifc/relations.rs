@@ -1,10 +1,10 @@
-//! What belongs to what: storeys, wholes and parts.
+//! Which product belongs to which: storeys, wholes and parts.
 
 use std::collections::HashMap;
 
 use ifc_lite_core::{EntityDecoder, EntityScanner, keyword_eq};
 
-/// Entity numbers of parents, by child. Where a file names several, the first stands.
+/// Entity numbers of parents, by child. Where a file names several, the first counts.
 #[derive(Debug, Default)]
 pub struct Relations {
     /// Whole of a part (IfcRelAggregates, IfcRelNests).
@@ -15,7 +15,7 @@ pub struct Relations {
     via: HashMap<u32, u32>,
 }
 
-/// A file may hold a cycle; no real hierarchy is deeper.
+/// Deepest hierarchy followed: a file may hold a cycle, and no real hierarchy is deeper.
 const MAX_DEPTH: usize = 64;
 
 impl Relations {

@@ -1,11 +1,11 @@
-//! Shapes that the geometry library lacks or draws otherwise than meant, each with its volume in closed form.
+//! Shapes that the geometry library lacks or draws wrongly, each with its volume in closed form.
 
 use std::f64::consts::{PI, TAU};
 
 use super::field_tests::{File, model, volume};
 
-/// A solid by its records (`@n` is the n-th of them, `#5` the zero, `#9` upwards), its volume in cubic metres, to so
-/// many parts of itself, and a word that must be said.
+/// A solid by its records (`@n` is the n-th of them, `#5` the zero, `#9` upwards), its volume in cubic metres, to
+/// within a relative error, and a word that a note must contain.
 struct Shape {
     records: Vec<String>,
     volume: f64,
@@ -32,7 +32,7 @@ fn along_u(records: &[&str], volume: f64, tolerance: f64, word: &'static str) ->
     shape(&[&U, records].concat(), volume, tolerance, word)
 }
 
-/// A prism of 1 m on a polygon of so many corners on a circle, which may be 0.2 mm off.
+/// A prism of 1 m on a polygon with this many corners on a circle, which may be 0.2 mm off.
 fn dense(radius: f64, corners: u32) -> Shape {
     let at = |i: u32| (TAU * f64::from(i) / f64::from(corners)).sin_cos();
     let mut records: Vec<String> =
@@ -47,7 +47,7 @@ fn dense(radius: f64, corners: u32) -> Shape {
     Shape { records, volume: n / 2.0 * (TAU / n).sin() * radius * radius, tolerance: 2e-3, word: "" }
 }
 
-/// A wall of 8 × 0.3 × 3 m, cut between 0 and 3 m by a plane with this normal at so many metres.
+/// A wall of 8 × 0.3 × 3 m, cut between 0 and 3 m by a plane with this normal at this many metres.
 fn steep(normal: &str, at: f64, volume: f64) -> Shape {
     let records = [
         "IFCRECTANGLEPROFILEDEF(.AREA.,$,$,8.,0.3)",
@@ -96,7 +96,7 @@ fn cuts() -> Vec<Shape> {
     ]
 }
 
-/// Lines that are trimmed, or followed in part.
+/// Lines that are trimmed, or followed only in part.
 fn lines() -> Vec<Shape> {
     let slab = |line: &[&str; 4], trimmed: &str| {
         let rest = [
@@ -134,7 +134,7 @@ fn lines() -> Vec<Shape> {
     ]
 }
 
-/// Chords of 7.5 degrees are 0.3 % short; a profile that touches its axis as well.
+/// Chords of 7.5 degrees are 0.3 % short; also for a profile that touches its axis.
 fn turned() -> Vec<Shape> {
     let about = |x: &str, angle: f64, volume: f64| {
         let records = [

@@ -1,4 +1,4 @@
-//! Triangles with vertices at the same place as one.
+//! Triangles in which coinciding vertices are one.
 
 use std::collections::HashMap;
 
@@ -18,7 +18,8 @@ pub struct Soup {
 }
 
 impl Soup {
-    /// Adds triangles whose vertices `place` puts into the world; what is not finite or has no area is left out.
+    /// Adds triangles whose vertices `place` transforms into the world; those that are not finite or have no area are
+    /// left out.
     pub fn add(&mut self, positions: &[f32], indices: &[u32], place: impl Fn([f64; 3]) -> [f64; 3]) {
         let ids: Vec<Option<u32>> =
             positions.chunks_exact(3).map(|p| self.vertex(place([p[0], p[1], p[2]].map(f64::from)))).collect();
@@ -67,7 +68,7 @@ impl Soup {
         balance
     }
 
-    /// Whether it has gaps: as the product that it will be is judged.
+    /// Whether it has gaps, by the same rule as the finished product.
     pub fn is_open(&self) -> bool {
         if self.is_closed() {
             return false;
@@ -81,13 +82,13 @@ impl Soup {
         self.triangles[triangle].map(|i| self.vertices[i as usize])
     }
 
-    /// Across a triangle, outwards; twice its area long.
+    /// The outward vector perpendicular to a triangle, twice its area long.
     pub fn normal(&self, triangle: usize) -> [f64; 3] {
         let [a, b, c] = self.corners(triangle).map(Vec3::from);
         (b - a).cross(&(c - a)).into()
     }
 
-    /// The box around it; empty ones turn inside out.
+    /// The box around it; inside out for an empty mesh.
     pub fn bounds(&self) -> ([f64; 3], [f64; 3]) {
         let start = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
         self.vertices.iter().fold(start, |(low, high), v| {
@@ -95,7 +96,7 @@ impl Soup {
         })
     }
 
-    /// By the divergence theorem; of a mesh that is not closed it says nothing.
+    /// The volume by the divergence theorem; meaningless for a mesh that is not closed.
     pub fn volume(&self) -> f64 {
         let Some(&o) = self.vertices.first() else { return 0.0 };
         let six = (0..self.triangles.len()).map(|t| {

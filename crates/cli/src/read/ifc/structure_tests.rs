@@ -1,4 +1,4 @@
-//! How products hang together in a file: representations, units, records that are missing, products out of the world.
+//! How products are connected in a file: representations, units, missing records, products at impossible places.
 
 use super::Model;
 use super::field_tests::{File, model, volume};
@@ -11,7 +11,7 @@ fn wall() -> (File, u32) {
     (file, shape)
 }
 
-/// The wall and another product of this shape.
+/// The wall, and another product of this shape.
 fn with(shape: &str) -> Model {
     let (mut file, _) = wall();
     file.add(format_args!("IFCWALL('bad',$,'bad',$,$,$,{shape},$,$)"));

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::{Limits, read};
 
-/// Prints a line a product, and one of the whole.
+/// Prints one line per product, and one for the whole model.
 pub fn print_table(path: &Path, limits: Limits) -> Result<()> {
     let model = read(path, limits)?;
     for p in &model.products {

@@ -1,4 +1,4 @@
-//! What the meshing process tells, piece by piece: what was told is safe, however the process ends.
+//! What the meshing process reports, piece by piece: what has been reported is safe, however the process ends.
 
 use std::collections::{BTreeMap, HashMap};
 use std::io::{Read, Write};
@@ -32,14 +32,14 @@ pub struct Header {
     pub length_unit: Option<f64>,
 }
 
-/// What came of a product.
+/// The result for a product.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Outcome {
     pub soup: Soup,
     pub note: Option<String>,
     /// Why the cut of its openings is not proven.
     pub unproven: Option<String>,
-    /// Its openings had to be cut once more.
+    /// Its openings had to be cut again.
     pub mended: bool,
 }
 
@@ -51,7 +51,7 @@ pub enum Told {
     Meshed(u32, Outcome),
     /// A product has no mesh, and why.
     Failed(u32, String),
-    /// All of it is told; the time of meshing and of its checks, all threads together.
+    /// Everything has been reported; the time of meshing and of its checks, all threads together.
     End {
         meshing: Duration,
         checks: Duration,
@@ -68,7 +68,7 @@ impl Told {
         Ok(out.flush()?)
     }
 
-    /// The next piece, of at most so many bytes; `None` where the process has ended.
+    /// The next piece, of at most this many bytes; `None` where the process has ended.
     pub fn read(from: &mut impl Read, most: u64) -> Result<Option<Self>> {
         let mut length = [0; 8];
         if from.read_exact(&mut length).is_err() {
@@ -85,13 +85,13 @@ impl Told {
     }
 }
 
-/// What the process is to do, told on its standard input as one line.
+/// What the process is to do, given on its standard input as one line.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Task {
     /// Products that are done.
     pub done: Vec<u32>,
-    /// Products that are to be meshed first and each alone: a process has died of one of them.
+    /// Products to be meshed first and each alone: a process has died on one of them.
     pub alone: Vec<u32>,
-    /// The header was told already.
+    /// The header was reported already.
     pub has_header: bool,
 }

@@ -24,12 +24,12 @@ use crate::read::silence_panics;
 #[derive(Debug, Clone, Copy)]
 pub struct WorkerLimits {
     pub memory: u64,
-    /// Of a product.
+    /// Limits of a single product: time and memory.
     pub product_time: Duration,
     pub product_memory: u64,
 }
 
-/// Meshes the file and tells it on standard output, piece by piece.
+/// Meshes the file and reports it on standard output, piece by piece.
 pub fn answer(path: &Path, limits: WorkerLimits) -> Result<()> {
     memory::limit(limits.memory)?;
     let mut line = String::new();
@@ -58,7 +58,7 @@ pub fn answer(path: &Path, limits: WorkerLimits) -> Result<()> {
     std::process::exit(0)
 }
 
-/// Tells a file's products, piece by piece.
+/// Reports a file's products, piece by piece.
 pub(super) fn tell(
     bytes: Vec<u8>,
     task: &Task,
@@ -99,7 +99,7 @@ pub(super) fn tell(
     Told::End { meshing: times.0, checks: times.1 }.write(out).map_err(|e| e.to_string())
 }
 
-/// As many as there are cores, but their deep stacks, twice as many with the library's own, count as memory: they
+/// As many threads as there are cores; but their deep stacks, twice as many with the library's own, count as memory and
 /// may take a quarter of it.
 fn threads(memory: u64) -> usize {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
@@ -120,10 +120,10 @@ struct Crew {
     queue: Arc<Mutex<VecDeque<u32>>>,
     limits: WorkerLimits,
     reports: (Sender<Report>, Receiver<Report>),
-    /// Since when products are in work, and how much memory the process held then.
+    /// Since when each product has been in work, and how much memory the process held then.
     running: HashMap<u32, (Instant, u64)>,
     left: usize,
-    /// Products whose threads were given up.
+    /// Products whose threads were abandoned.
     lost: HashSet<u32>,
 }
 
@@ -202,7 +202,7 @@ impl Crew {
         }
     }
 
-    /// Names products that take too long, and goes on without their threads.
+    /// Names products that take too long, and continues without their threads.
     fn give_up_slow(&mut self, out: &mut impl Write) -> Result<()> {
         let limit = self.limits.product_time;
         let slow: Vec<u32> =

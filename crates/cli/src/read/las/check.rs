@@ -1,4 +1,4 @@
-//! Counts of a LAS or LAZ file held against its size, before the libraries believe them and allocate.
+//! Checks the counts of a LAS or LAZ file against its size, before the libraries believe them and allocate.
 
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
@@ -10,10 +10,10 @@ use laz::laszip::ChunkTable;
 
 use crate::read::overlay::Overlay;
 
-/// Larger chunks than any writer makes, points and bytes of their points.
+/// Larger chunks than any writer makes: points, and bytes of their points.
 const MAX_LAZ_CHUNK: u64 = 10_000_000;
 const MAX_CHUNK_BYTES: u64 = 1 << 30;
-/// Bytes of a record's head.
+/// Bytes of a record's header.
 const VLR_HEAD: u64 = 54;
 const EVLR_HEAD: u64 = 60;
 
@@ -21,7 +21,7 @@ const EVLR_HEAD: u64 = 60;
 pub struct Checked {
     pub count: u64,
     pub parallelism: LazParallelism,
-    /// Points for which the file has room beyond those.
+    /// Number of points for which the file has room beyond those.
     pub more: u64,
 }
 
@@ -63,7 +63,7 @@ fn is_pointwise(header: &Header) -> bool {
     record.is_some_and(|v| v.data.starts_with(&1u16.to_le_bytes()))
 }
 
-/// The records beside the points; each extended one is gone to.
+/// The records beside the points; each extended one is visited.
 fn records(file: &mut BufReader<Overlay<File>>, fixed: &raw::Header, length: u64) -> Result<()> {
     let (start, points) = (u64::from(fixed.header_size), u64::from(fixed.offset_to_point_data));
     let claimed = u64::from(fixed.number_of_variable_length_records) * VLR_HEAD;
@@ -90,7 +90,7 @@ fn records(file: &mut BufReader<Overlay<File>>, fixed: &raw::Header, length: u64
     Ok(())
 }
 
-/// The table of chunks, whose start is told at the start of the points or, by writers to a stream, at the file's end.
+/// The table of chunks; its start is stored at the start of the points or, by writers to a stream, at the file's end.
 fn chunks(file: &mut BufReader<Overlay<File>>, laz: &LazVlr, length: u64, count: u64) -> Result<()> {
     let (point, data) = (laz.items_size(), file.stream_position()?);
     let mut at = number(file)?;

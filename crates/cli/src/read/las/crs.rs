@@ -1,4 +1,4 @@
-//! Units of a LAS file's coordinates, as its GeoTIFF keys or its well-known text tell them.
+//! Units of a LAS file's coordinates, as stated by its GeoTIFF keys or its well-known text.
 
 use anyhow::{Context, Result, bail};
 use las::Header;
@@ -6,19 +6,19 @@ use las::crs::{GeoTiffCrs, GeoTiffData};
 
 use super::wkt::Node;
 
-/// Metres of a unit across and up; `None` where the file does not tell.
+/// Length in metres of the horizontal and the vertical unit; `None` where the file does not tell it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Units {
     pub across: Option<f64>,
     pub up: Option<f64>,
-    /// The file names a system of coordinates, whether its unit was understood or not.
+    /// Whether the file names a coordinate system, understood or not.
     pub has_system: bool,
 }
 
 const DEGREES: &str =
     "its coordinates are degrees, which are no lengths: project them first, e.g. with PDAL's filters.reprojection";
 
-/// What the file tells.
+/// What the file says.
 pub fn units(header: &Header) -> Result<Units> {
     if let Some(bytes) = header.get_wkt_crs_bytes() {
         let text = String::from_utf8_lossy(bytes);
@@ -35,7 +35,7 @@ pub fn units(header: &Header) -> Result<Units> {
     }
 }
 
-/// By OGC's well-known text, versions 1 and 2.
+/// From OGC well-known text, versions 1 and 2.
 fn of_wkt(text: &str) -> Result<Units> {
     let mut units = Units { has_system: true, ..Units::default() };
     let Some(roots) = Node::parse_all(text) else { return Ok(units) };
@@ -62,7 +62,7 @@ fn of_wkt(text: &str) -> Result<Units> {
 const PROJECTED: [&str; 7] =
     ["PROJCS", "PROJCRS", "PROJECTEDCRS", "DERIVEDPROJCRS", "LOCAL_CS", "ENGCRS", "ENGINEERINGCRS"];
 
-/// The systems that one is made of: of a compound all, of one bound to another its own.
+/// The systems that a system consists of: all parts of a compound one, the source of a bound one.
 fn systems(root: &Node, depth: usize) -> Vec<&Node> {
     if depth > 8 || !root.is(&["COMPD_CS", "COMPOUNDCRS", "BOUNDCRS", "SOURCECRS"]) {
         return vec![root];
@@ -83,7 +83,7 @@ fn unit_of(system: &Node) -> Option<f64> {
 
 const UNITS: [&str; 2] = ["UNIT", "LENGTHUNIT"];
 
-/// By GeoTIFF keys (OGC 19-008r4).
+/// From GeoTIFF keys (OGC 19-008r4).
 fn of_keys(keys: &GeoTiffCrs) -> Result<Units> {
     let find = |id: u16| keys.entries.iter().find(|e| e.id == id).map(|e| &e.data);
     let code = |id: u16| match find(id) {
@@ -137,7 +137,7 @@ fn metres(code: u16) -> Result<f64> {
     })
 }
 
-/// The unit of a projected system by its EPSG code, where that is known.
+/// The unit of a projected system by its EPSG code, where known.
 fn of_system(code: u16) -> Result<Option<f64>> {
     let Some(definition) = crs_definitions::from_code(code) else { return Ok(None) };
     let word = |key: &str| definition.proj4.split_whitespace().find_map(|w| w.strip_prefix(key));
@@ -156,7 +156,7 @@ fn of_system(code: u16) -> Result<Option<f64>> {
     })
 }
 
-/// Vertical systems in feet; the others in use count in metres.
+/// Vertical systems in feet; the others in use are in metres.
 fn of_vertical_system(code: u16) -> Option<f64> {
     match code {
         // NAVD88 and NGVD29 in US survey feet, NAVD88 in feet.
@@ -167,7 +167,7 @@ fn of_vertical_system(code: u16) -> Option<f64> {
     }
 }
 
-/// Factors of x, y and z to metres, and what is to be said about them.
+/// Factors from x, y and z to metres, and what to tell the user about them.
 pub fn factors(told: Units, given: Option<crate::read::Unit>) -> Result<([f64; 3], Vec<String>)> {
     use crate::read::unit::{called, check};
     if let Some(across) = told.across {

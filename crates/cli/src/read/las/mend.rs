@@ -1,4 +1,4 @@
-//! What writers get wrong in the head of a LAS file, set right before the library sees it.
+//! What writers get wrong in the header of a LAS file, corrected before the library sees it.
 
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
@@ -7,13 +7,13 @@ use anyhow::{Context, Result, bail};
 
 use crate::read::overlay::Overlay;
 
-/// The file and what was set right.
+/// The file and what was corrected.
 pub type Mended = (BufReader<Overlay<File>>, Vec<String>);
 
-/// Bytes of the head of versions 1.3 and 1.4.
+/// Bytes of the header of versions 1.3 and 1.4.
 const HEAD_1_3: u16 = 235;
 const HEAD_1_4: u16 = 375;
-/// Bytes of a record's head.
+/// Bytes of a record's header.
 const VLR_HEAD: u64 = 54;
 
 /// Opens the file.
@@ -52,7 +52,7 @@ fn check_scales(head: &[u8]) -> Result<()> {
     Ok(())
 }
 
-/// Versions to come keep the fields that are needed; the length of the head tells which there are.
+/// Newer versions keep the fields that are needed; the length of the header tells which there are.
 fn mend_version(head: &[u8], file: &mut Overlay<File>) -> Option<String> {
     let minor = head[25];
     let known = match u16_at(head, 94) {
@@ -67,7 +67,7 @@ fn mend_version(head: &[u8], file: &mut Overlay<File>) -> Option<String> {
     Some(format!("version {}.{minor} is newer than this program, and was read as 1.{known}", head[24]))
 }
 
-/// From version 1.4 on there are two counts; the longer one goes before the old one.
+/// From version 1.4 on there are two counts; the 64-bit one takes precedence over the old one.
 fn mend_count(head: &[u8], file: &mut Overlay<File>) -> Option<String> {
     if head[25] < 4 || u16_at(head, 94) < HEAD_1_4 || head.len() < usize::from(HEAD_1_4) {
         return None;
@@ -81,7 +81,7 @@ fn mend_count(head: &[u8], file: &mut Overlay<File>) -> Option<String> {
     Some(format!("its old count of points is {old} and its count of version 1.4 is {long}, which was taken"))
 }
 
-/// Records that end beyond the start of the points are none.
+/// Records that end beyond the start of the points do not exist.
 fn mend_records(head: &[u8], file: &mut Overlay<File>) -> Result<Option<String>> {
     let (mut at, points, told) = (u64::from(u16_at(head, 94)), u64::from(u32_at(head, 96)), u32_at(head, 100));
     let mut found = 0;

@@ -17,11 +17,11 @@ use las::{Header, PointData, PointDataBuilder, Reader, ReaderOptions};
 
 use super::{Facts, ReadOptions, Sink, scan_of_content};
 
-/// Points read at a time: several LAZ chunks, so that they decompress in parallel; of long records fewer.
+/// Points read at a time: several LAZ chunks, so that they decompress in parallel; fewer if records are long.
 const AT_ONCE: u64 = 500_000;
 const BYTES_AT_ONCE: u64 = 64 << 20;
 
-/// Reads all points but those withheld and, unless they are wanted, noise.
+/// Reads all points except those withheld and, unless they are wanted, noise.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
     let (mut file, mut notes) = mend::open(File::open(path).context("cannot open it")?)?;
     let check::Checked { count, parallelism, more } = check::check(&mut file)?;
@@ -94,7 +94,7 @@ struct Points {
     content: Content,
     colours: Vec<[u16; 3]>,
     read: u64,
-    /// Places of points to leave out, and how many of them are withheld.
+    /// Indices of points to leave out, and how many of them are withheld.
     dropped: Vec<u32>,
     withheld: u64,
     noise: u64,
@@ -140,7 +140,7 @@ impl Points {
         }
     }
 
-    /// Notes whether the point is to be left out.
+    /// Records whether the point is to be left out.
     fn judge(&mut self, record: &[u8]) {
         // Class and flags share a byte in formats 0 to 5.
         let (is_withheld, class) =

@@ -1,6 +1,6 @@
 //! A tree of well-known text (OGC 12-063r5): `KEYWORD["text", number, KEYWORD[…], …]`.
 
-/// A keyword and what stands in its brackets.
+/// A keyword and the contents of its brackets.
 #[derive(Debug)]
 pub struct Node {
     keyword: String,
@@ -8,11 +8,12 @@ pub struct Node {
     children: Vec<Node>,
 }
 
-/// No real text is nested deeper.
+/// Deepest nesting; no real text is nested deeper.
 const DEEPEST: usize = 64;
 
 impl Node {
-    /// The trees of a text, side by side as in ESRI's pairs of a horizontal and a vertical system; `None` where it is none.
+    /// The trees of a text; there are two in ESRI's pairs of a horizontal and a vertical system. `None` where it is not
+    /// well-known text.
     pub fn parse_all(text: &str) -> Option<Vec<Self>> {
         let (mut rest, mut all) = (text.trim(), Vec::new());
         while !rest.is_empty() {
@@ -61,7 +62,7 @@ impl Node {
         &self.children
     }
 
-    /// The last word that is a number, as an authority's code is.
+    /// The last word that is a number, such as an authority's code.
     pub fn code(&self) -> Option<u16> {
         self.words.iter().rev().find_map(|w| w.parse().ok())
     }
@@ -75,7 +76,7 @@ impl Node {
         self.words.get(place).map(String::as_str)
     }
 
-    /// The number behind its name.
+    /// The number that follows its name.
     pub fn number(&self) -> Option<f64> {
         self.word(1)?.parse().ok()
     }

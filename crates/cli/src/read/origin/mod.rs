@@ -1,8 +1,8 @@
 //! Whether a scanner can have stood where the file or the user says.
 //!
-//! Merged clouds are saved with the scanner at zero. Every beam from there would prove the space before it empty,
-//! and standing objects come out absent. From a true position hardly a beam passes through a gap between the
-//! returns around it that are much nearer; from a wrong one very many do.
+//! Merged clouds are saved with the scanner at zero. Every beam from there would prove the space in front of its return
+//! empty, and standing objects would come out absent. From a true position hardly any beam passes through a gap between
+//! returns that are much nearer; from a wrong one very many do.
 
 mod passing;
 
@@ -25,26 +25,27 @@ pub enum IdentityPose {
     Merged,
 }
 
-/// No scanner ranges farther, metres: points beyond it carry a position that is not theirs.
+/// No scanner ranges farther, metres: points beyond this have been given a position that is not theirs.
 const MAX_RANGE_M: f64 = 50_000.0;
-/// Share of beams that pass between nearer returns: of true stations (real-room, hall, pavilion) at most 0.6 %, of the
-/// same merged 7.5 to 21 %.
+/// Share of beams that pass between nearer returns: for true stations (real-room, hall, pavilion) at most 0.6 %, for
+/// the same stations merged 7.5 to 21 %.
 const SUSPICIOUS: f64 = 0.02;
-/// The same where returns lie within 10 cm of one another, which a sample of a large site's does not: of true stations at
-/// most 2.2 % (real-room), of eight stations merged 24 % on a site of 50 m, 13 % of 100 m, 3.3 % of 200 m.
+/// The same where returns lie within 10 cm of one another, which those of a sample of a large site do not: for true
+/// stations at most 2.2 % (real-room), for eight merged stations 24 % on a site of 50 m, 13 % on one of 100 m, 3.3 % on
+/// one of 200 m.
 const SUSPICIOUS_CLOSE: f64 = 0.03;
-/// From here on a position that was told is not believed either. Trees give some per cent, and a tilting scanner whose
-/// centre moves does (OctoMap's own: 5.1 %).
+/// Beyond this, even a position that was given explicitly is not believed. Trees cause a few per cent, and so does a
+/// tilting scanner whose centre moves (OctoMap's own: 5.1 %).
 const WRONG: f64 = 0.07;
 const WRONG_CLOSE: f64 = 0.15;
-/// Returns that a scanner at zero is farther from than so many times their own extent are in another frame.
+/// If a scanner at zero is farther from its returns than this many times their extent, they are in another frame.
 const REMOTE: f64 = 3.0;
-/// A single thing may be scanned from some way off, metres.
+/// The extent counts as at least this, metres: a single object may be scanned from some way off.
 const NARROW_M: f64 = 10.0;
-/// Returns that are looked at for that.
+/// Most returns that are examined for this.
 const MOST_COMPARED: usize = 10_000;
 
-/// The scan as it may be believed: without origin where no scanner can have stood there.
+/// The scan as far as it can be believed: without origin where no scanner can have stood there.
 pub fn judged(scan: RawScan, options: &ReadOptions) -> RawScan {
     let scan = without_far(scan);
     let Some(rotation) = scan.world_from_scan else { return without_strays(scan) };
@@ -93,7 +94,7 @@ fn is_none(rotation: [f64; 4]) -> bool {
     rotation.iter().zip(NO_ROTATION).all(|(a, b)| (a.abs() - b).abs() < 1e-12)
 }
 
-/// Without the points that lie impossibly far; where most do, they have no origin.
+/// The scan without points that are impossibly far away; where most are, they have no origin.
 fn without_far(mut scan: RawScan) -> RawScan {
     let is_far = |b: &Beam| b.returned && b.offset.norm() > MAX_RANGE_M;
     let far = scan.content.beams.iter().filter(|b| is_far(b)).count();
@@ -110,7 +111,8 @@ fn without_far(mut scan: RawScan) -> RawScan {
     scan
 }
 
-/// Points without origin, but for the few that lie impossibly far from all others; they are relative to the middle one.
+/// Points without origin, except for the few that are impossibly far from all others; they are relative to the median
+/// point.
 fn without_strays(mut scan: RawScan) -> RawScan {
     let every = scan.content.len().div_ceil(MOST_COMPARED).max(1);
     let middle = [0, 1, 2].map(|k| {
@@ -143,7 +145,7 @@ fn points(mut scan: RawScan, why: String) -> RawScan {
     without_strays(scan)
 }
 
-/// Whether nearly all returns lie in a narrow direction, far away: no scanner is set up like that.
+/// Whether nearly all returns lie far away in a narrow cone: no scanner is set up like that.
 fn is_remote(beams: &[Beam]) -> bool {
     // Strays on either side do not count.
     const STRAYS: f64 = 0.02;

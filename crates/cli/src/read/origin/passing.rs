@@ -1,8 +1,8 @@
 //! How many beams pass between much nearer returns on all sides of them.
 //!
-//! Over a surface seen from a true position the range is a function of direction: at its edges the nearer returns
-//! lie to one side, and in its hollows they are nearer by little. From a wrong position near and far are mixed. That can
-//! only be seen where returns lie close together: so some windows of the sphere are looked at with all they hold.
+//! Over a surface seen from a true position the range is a function of direction: at its edges the nearer returns lie
+//! to one side, and in its hollows they are nearer by little. From a wrong position near and far are mixed. That can
+//! only be seen where returns lie close together, so some windows of the sphere are examined with all returns in them.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,35 +11,37 @@ use asbuilt_core::scan::Beam;
 use kd_tree::{KdPoint, KdTree};
 use rustc_hash::{FxBuildHasher, FxHashSet};
 
-/// What the beams say of the place that they are said to come from.
+/// What the beams say about the place that they supposedly come from.
 #[derive(Debug, PartialEq)]
 pub enum Passing {
-    /// The share that passes between nearer returns, of all beams, and where returns lie close together.
+    /// The share that passes between nearer returns: of all beams, and of those where returns lie close together.
     Shares { overall: f64, close: f64 },
-    /// Returns follow one another on one beam, as the echoes of a pulse do: only seen from where the scanner stood.
+    /// Returns follow one another on one beam, as the echoes of a pulse do, which is only so as seen from where the
+    /// scanner stood.
     Echoes,
     /// Too few returns lie close enough together.
     Unknown,
 }
 
-/// Returns of the sample, of all windows, of one window, beams that are tried, neighbours of each.
+/// Numbers of returns in the sample, in all windows, and in one window; of beams that are tried; of neighbours of each.
 const COMPARED: usize = 100_000;
 const OF_WINDOWS: usize = 40_000;
 const OF_WINDOW: usize = 1000;
 const TRIED: usize = 2000;
 const NEIGHBOURS: usize = 16;
-/// Fewer beams tell nothing.
+/// With fewer beams nothing can be told.
 const LEAST: u32 = 100;
-/// Where fewer pass among returns close together, the sample, which costs four times as much, is not asked.
+/// Where a smaller share passes among returns close together, the sample, which costs four times as much, is not
+/// examined.
 const DOUBTFUL: f64 = 0.01;
-/// A beam passes a return that is nearer than this to it, metres; where most neighbours are, it can be tried.
+/// A beam passes a return that is nearer to it than this, metres; a beam can be tried where most neighbours are.
 const BESIDE_M: f64 = 0.1;
-/// Returns nearer to one another than this are one, metres: copies would hide the others.
+/// Returns nearer to one another than this count as one, metres: copies would hide the others.
 const COPY_M: f64 = 1e-3;
 const ONE_M: f64 = 0.04;
 /// Returns closer to a beam than this are echoes of its own pulse, metres.
 const SAME_PULSE_M: f64 = 0.002;
-/// Nearer than this the scanner sees itself, metres.
+/// Returns nearer than this are the scanner itself, metres.
 const OWN_PLATFORM_M: f64 = 0.3;
 
 /// A direction, and the range of the return there.
@@ -77,7 +79,7 @@ pub fn passing(beams: &[Beam]) -> Passing {
     Passing::Shares { overall: share(sample.passing, sample.counted), close: windows.share_close() }
 }
 
-/// Beams that were tried, those of them among returns close together, and how many of either pass.
+/// Beams that were tried, those among returns close together, and how many of each pass.
 #[derive(Default)]
 struct Tally {
     counted: u32,
@@ -109,7 +111,7 @@ fn tally(some: Vec<Direction>) -> Tally {
     tally
 }
 
-/// Of a return that is not the scanner itself.
+/// The direction and range of a return that is not the scanner itself.
 fn range(beam: &Beam) -> Option<f64> {
     let range = beam.offset.norm();
     (beam.returned && range > OWN_PLATFORM_M).then_some(range)
@@ -119,7 +121,7 @@ fn direction(beam: &Beam) -> Option<Direction> {
     range(beam).map(|range| Direction { unit: (beam.offset / range).into(), range })
 }
 
-/// All returns in some windows, scattered over the sphere.
+/// All returns in some windows that are scattered over the sphere.
 fn windows(beams: &[Beam]) -> Vec<Direction> {
     let across = (beams.len() as f64 / OF_WINDOW as f64 / 6.0).sqrt().ceil();
     let part = if beams.len() <= COMPARED { 1.0 } else { OF_WINDOWS as f64 / beams.len() as f64 };
@@ -129,7 +131,7 @@ fn windows(beams: &[Beam]) -> Vec<Direction> {
     beams.iter().filter(is_chosen).take(4 * OF_WINDOWS).filter_map(direction).collect()
 }
 
-/// The number of the window on a cube about the scanner that a direction goes through.
+/// The number of the window, on a cube around the scanner, through which a direction passes.
 fn window(offset: &Vec3, across: f64) -> u64 {
     let axis = offset.iamax();
     let (largest, u, v) = (offset[axis], offset[(axis + 1) % 3], offset[(axis + 2) % 3]);
@@ -137,23 +139,24 @@ fn window(offset: &Vec3, across: f64) -> u64 {
     (place(u) << 34) | (place(v) << 4) | (axis as u64) << 1 | u64::from(largest > 0.0)
 }
 
-/// An even sequence without a period out of any (SplitMix64's last step).
+/// Scrambles a number so that any sequence becomes uniform and without a period (SplitMix64's last step).
 fn scramble(n: u64) -> u64 {
     let n = (n ^ (n >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     let n = (n ^ (n >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
     n ^ (n >> 31)
 }
 
-/// One return in a cube of that size.
+/// One return per cube of this size.
 fn thinned(some: Vec<Direction>, size: f64) -> Vec<Direction> {
     let mut seen = FxHashSet::with_capacity_and_hasher(some.len(), FxBuildHasher);
-    // Twenty-one bits an axis: cubes that share a number lie kilometres apart.
+    // Twenty-one bits per axis: cubes that share a number lie kilometres apart.
     let number = |c: f64| (c / size).floor() as i64 as u64 & 0x1f_ffff;
     let cube = |d: &Direction| d.unit.iter().fold(0, |cube, c| cube << 21 | number(c * d.range));
     some.into_iter().filter(|d| seen.insert(cube(d))).collect()
 }
 
-/// Whether returns that follow one another lie on one beam. By chance three times as many would lie in the ring about it.
+/// Whether returns that follow one another lie on one beam. By chance three times as many would lie in the ring around
+/// it.
 fn are_echoes(beams: &[Beam]) -> bool {
     let (mut pairs, mut on_beam, mut beside_it) = (0, 0, 0);
     for i in scattered(beams.len() - 1, COMPARED) {
@@ -169,7 +172,7 @@ fn are_echoes(beams: &[Beam]) -> bool {
     on_beam * 100 > pairs && on_beam > 2 * beside_it
 }
 
-/// Whether a beam passes between nearer returns, and whether the returns about it lie close together; `None` for the
+/// Whether a beam passes between nearer returns, and whether the returns around it lie close together; `None` for the
 /// later echoes of a pulse.
 fn passes(tree: &KdTree<Direction>, beam: &Direction) -> Option<(bool, bool)> {
     let (direction, range) = (Vec3::from(beam.unit), beam.range);
@@ -195,7 +198,7 @@ fn passes(tree: &KdTree<Direction>, beam: &Direction) -> Option<(bool, bool)> {
     Some((surround(&mut headings), 2 * close >= NEIGHBOURS))
 }
 
-/// Whether directions in a plane leave no half of it free.
+/// Whether directions in a plane leave no half-plane free.
 fn surround(headings: &mut [f64]) -> bool {
     if headings.len() < 3 {
         return false;
@@ -205,7 +208,7 @@ fn surround(headings: &mut [f64]) -> bool {
     headings.windows(2).map(|w| w[1] - w[0]).fold(around, f64::max) < PI
 }
 
-/// At most `wanted` of `len` places, scattered so that no grid shows in them.
+/// At most `wanted` of `len` places, scattered so that no regular grid appears in them.
 fn scattered(len: usize, wanted: usize) -> impl Iterator<Item = usize> {
     let every = (len as f64 / wanted as f64).max(1.0);
     let count = if every > 1.0 { wanted } else { len };

@@ -39,7 +39,7 @@ pub struct Header {
     pub storage: Storage,
 }
 
-/// Longest record that a real file has.
+/// Longest record of any real file.
 const MAX_RECORD: usize = 1 << 16;
 
 impl Header {

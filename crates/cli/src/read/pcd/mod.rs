@@ -1,7 +1,7 @@
 //! PCD (PCL). Where VIEWPOINT says more than its default, the points are in the scanner's frame and VIEWPOINT is its
 //! pose, as CloudCompare (from 2.13 on) and pcl_viewer read it; the default is what merged clouds carry, too.
 //!
-//! The files of others have capitals, integers, commas and fields of one name, which the `pcd-rs` crate refuses.
+//! Files in the field have capitals, integers, commas and fields of the same name, which the `pcd-rs` crate refuses.
 
 mod header;
 
@@ -48,12 +48,12 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     sink(scan)
 }
 
-/// At zero and without a turn, however the quaternion is written.
+/// At zero and without rotation, however the quaternion is written.
 fn is_default([x, y, z, w, i, j, k]: &[f64; 7]) -> bool {
     [x, y, z].into_iter().all(|c| *c == 0.0) && [i, j, k].into_iter().all(|c| c.abs() <= 1e-9 * w.abs()) && *w != 0.0
 }
 
-/// Turns the scan by VIEWPOINT and sets it there.
+/// Rotates the scan by VIEWPOINT and moves it there.
 fn pose(scan: &mut RawScan, viewpoint: &[f64; 7], options: &ReadOptions) {
     let [x, y, z, w, i, j, k] = *viewpoint;
     let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
@@ -70,7 +70,7 @@ fn pose(scan: &mut RawScan, viewpoint: &[f64; 7], options: &ReadOptions) {
     }
 }
 
-/// The file behind the line DATA.
+/// The part of the file after the line DATA.
 fn behind_header(path: &Path) -> Result<BufReader<File>> {
     let mut file = BufReader::with_capacity(1 << 20, File::open(path).context("cannot open it")?);
     loop {
@@ -136,7 +136,7 @@ fn binary(
     Ok((points, more >= header.record() as u128))
 }
 
-/// All values of a field lie together.
+/// All values of a field are stored together.
 fn compressed(mut file: BufReader<File>, header: &Header, places: [usize; 3]) -> Result<Vec<Vec3>> {
     let room = room(&mut file)?;
     let mut sizes = [0; 8];

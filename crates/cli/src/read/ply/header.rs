@@ -1,6 +1,6 @@
-//! The header of a PLY file, brought to the form that the `ply-rs-bw` crate knows: without byte order mark, line
-//! ends of one kind, names in small letters and each once, comments left out, and 64-bit integers as doubles, which
-//! are as long.
+//! The header of a PLY file, brought into the form that the `ply-rs-bw` crate knows: no byte order mark, line ends of
+//! one kind, names in lower case and unique, no comments, and 64-bit integers declared as doubles, which are equally
+//! long.
 
 use std::io::{BufRead, Cursor};
 
@@ -10,7 +10,7 @@ use ply_rs_bw::ply::Header;
 
 use super::Vertex;
 
-/// Longer headers are none.
+/// A longer header is not a header, bytes.
 const LONGEST: u64 = 1 << 20;
 
 /// Reads the header; returns it and the number of its lines.
@@ -59,7 +59,7 @@ fn is_long(kind: &str) -> bool {
     ["int64", "uint64", "longlong", "ulonglong", "long", "ulong"].contains(&kind)
 }
 
-/// The library knows no integers of 64 bits; read as doubles they would be nonsense.
+/// The library does not know integers of 64 bits; read as doubles they would be nonsense.
 fn refuse_whole(kind: &str, name: &str) -> Result<()> {
     if is_long(&kind.to_lowercase()) && ["x", "y", "z"].contains(&name.to_lowercase().as_str()) {
         bail!("its {name} is of type {kind}: write it as double");
@@ -86,7 +86,7 @@ fn is_known(words: &[&str]) -> bool {
     }
 }
 
-/// A line of a property: types as the library knows them, a name that stands once.
+/// The line of a property: types as the library knows them, a name that is unique.
 fn property(words: &[&str], seen: &mut Vec<String>) -> String {
     let Some((name, types)) = words.split_last() else { return String::new() };
     let known = |word: &&str| match word.to_lowercase().as_str() {

@@ -1,4 +1,4 @@
-//! PLY: its [`header`] put in order, binary rows through the `ply-rs-bw` crate. Without `--origin` the points have
+//! PLY: the [`header`] normalised, binary rows through the `ply-rs-bw` crate. Without `--origin` the points have
 //! none.
 
 mod header;
@@ -40,7 +40,7 @@ impl PropertyAccess for Vertex {
     }
 }
 
-/// An element that is read over.
+/// An element that is skipped.
 struct Skipped;
 
 impl PropertyAccess for Skipped {
@@ -81,7 +81,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
     sink(scan)
 }
 
-/// Places of x, y, z among the properties, which must be numbers.
+/// Positions of x, y, z among the properties, which must be numbers.
 fn places(element: &ElementDef) -> Result<[usize; 3]> {
     let at = |name: &str| {
         let names = || element.properties.keys().map(String::as_str).collect::<Vec<_>>().join(" ");
@@ -96,7 +96,7 @@ fn places(element: &ElementDef) -> Result<[usize; 3]> {
     Ok([at("x")?, at("y")?, at("z")?])
 }
 
-/// Refuses counts that the file cannot hold; the library would believe them.
+/// Refuses counts that cannot fit into the file; the library would believe them.
 fn check(header: &Header, room: u64) -> Result<()> {
     let mut needed = 0u128;
     for e in header.elements.values() {
@@ -151,7 +151,7 @@ fn binary(mut reader: Reader<BufReader<File>>, header: &Header, bar: &ProgressBa
     bail!("it has no vertices")
 }
 
-/// Lines of words. The library's grammar refuses `nan`, `.5`, `1.` and decimal commas, which real files hold.
+/// Lines of words. The library's grammar refuses `nan`, `.5`, `1.` and decimal commas, which real files contain.
 fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBar) -> Result<(Vec<Vec3>, bool)> {
     for (name, element) in &header.elements {
         if name != "vertex" {
@@ -176,7 +176,8 @@ fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBa
     bail!("it has no vertices")
 }
 
-/// Which words of a line the properties at `places` are: a list takes as many as its first word says, and that.
+/// The words of a line that hold the properties at `places`: a list takes its first word, and as many more as that
+/// says.
 fn words_of(element: &ElementDef, places: [usize; 3], words: &[&str]) -> Option<[usize; 3]> {
     let (mut out, mut word) = ([0; 3], 0usize);
     for (place, property) in element.properties.values().enumerate() {

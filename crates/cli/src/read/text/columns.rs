@@ -1,4 +1,4 @@
-//! Which column of a text of points holds what: as the user says, as its title says, or as the numbers look.
+//! What each column of a text of points holds: as the user says, as the title says, or judging by the numbers.
 
 use std::str::FromStr;
 
@@ -29,7 +29,7 @@ const LETTERS: [(&str, Column); 9] = [
     ("b", Column::Blue),
 ];
 
-/// Columns in their order.
+/// The columns in their order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Columns(Vec<Column>);
 
@@ -69,17 +69,17 @@ impl std::fmt::Display for Columns {
 }
 
 impl Columns {
-    /// Coordinates first, the rest passed over.
+    /// Coordinates first, the rest skipped.
     pub fn plain() -> Self {
         Self(vec![Column::X, Column::Y, Column::Z])
     }
 
-    /// The place of a column.
+    /// The position of a column.
     pub fn place(&self, column: Column) -> Option<usize> {
         self.0.iter().position(|c| *c == column)
     }
 
-    /// Places of x, y, z.
+    /// Positions of x, y, z.
     pub fn coordinates(&self) -> Option<[usize; 3]> {
         Some([self.place(Column::X)?, self.place(Column::Y)?, self.place(Column::Z)?])
     }
@@ -89,13 +89,13 @@ impl Columns {
         Self(columns)
     }
 
-    /// Whether y stands before x, as surveyors write whose x goes north.
+    /// Whether y comes before x, as with surveyors whose x points north.
     pub fn are_turned(&self) -> bool {
         self.coordinates().is_some_and(|[x, y, z]| !(x < y && y < z))
     }
 }
 
-/// How many words a line has, with and without those that are empty at its end.
+/// How many words a line has, with and without empty ones at its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Width {
     pub all: usize,
@@ -108,7 +108,7 @@ impl Width {
         Self { all: words.len(), filled }
     }
 
-    /// Whether lines of both widths can be of one table: a mark at the end may be left out.
+    /// Whether lines of both widths can belong to one table: a mark at the end may be left out.
     pub fn fits(self, other: Self) -> bool {
         self.all == other.all || self.filled == other.filled
     }

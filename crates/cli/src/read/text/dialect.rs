@@ -1,4 +1,4 @@
-//! How a file writes its numbers: what parts them, and what a comma within one means.
+//! How a file writes its numbers: what separates them, and what a comma within one means.
 
 use super::columns::Width;
 use super::number::{Form, form, has_points, may_have_points, without_marks};
@@ -13,7 +13,7 @@ pub enum Separator {
     Blank,
     Semicolon,
     Pipe,
-    /// Commas, and blanks where there are any.
+    /// Commas, and blanks if there are any.
     Comma,
 }
 
@@ -22,7 +22,7 @@ pub enum Separator {
 pub struct Dialect {
     pub separator: Separator,
     pub comma: Option<Comma>,
-    /// Beside decimal commas: points part thousands.
+    /// Beside decimal commas: points separate thousands.
     pub points: bool,
 }
 
@@ -49,12 +49,12 @@ impl Dialect {
         Self { comma: are_decimal.then_some(Comma::Decimal), ..Self::default() }
     }
 
-    /// The dialect of a line alone; `None` where its commas contradict one another.
+    /// The dialect of a single line; `None` where its commas contradict one another.
     pub fn of(line: &str) -> Option<Self> {
         Self::default().learn(line)
     }
 
-    /// The separator of a line, and what its first words add to what is known of commas.
+    /// The separator of a line, and what its first words add to what is known about commas.
     pub fn learn(mut self, line: &str) -> Option<Self> {
         self.separator = separator(line);
         if line.contains(',') || self.comma == Some(Comma::Decimal) {
@@ -87,7 +87,7 @@ impl Dialect {
         }
     }
 
-    /// The value of a word; `None` where it is no number, or its comma is not known.
+    /// The value of a word; `None` where it is no number, or the meaning of its comma is unknown.
     pub fn value(&self, word: &str) -> Option<f64> {
         if let Ok(value) = word.parse() {
             // Beside decimal commas 1.250 may be a thousand and more.
@@ -117,7 +117,7 @@ impl Dialect {
         }
     }
 
-    /// The first three numbers of a line, if it is as wide as it must be.
+    /// The first three numbers of a line, if it has the required width.
     pub fn point(&self, line: &str, width: Option<Width>) -> Option<[f64; 3]> {
         let Some(width) = width else { return self.numbers(line) };
         if self.separator != Separator::Blank || line.contains([',', '"']) {
@@ -149,7 +149,7 @@ impl Dialect {
     }
 }
 
-/// The pieces of a line between marks that do not stand within quotes.
+/// The pieces of a line between marks that are not within quotes.
 pub fn unquoted<'a>(line: &'a str, marks: &[char]) -> impl Iterator<Item = &'a str> {
     let mut within = false;
     line.split(move |c: char| {
@@ -158,7 +158,7 @@ pub fn unquoted<'a>(line: &'a str, marks: &[char]) -> impl Iterator<Item = &'a s
     })
 }
 
-/// A cell between commas is several words where blanks part numbers; a name or time with blanks stays one.
+/// A cell between commas is several words where blanks separate numbers; a name or time with blanks stays one word.
 fn numbers_within(cell: &str) -> impl Iterator<Item = &str> {
     let has_blanks = cell.contains([' ', '\t']);
     let is_one = !has_blanks || !cell.split_ascii_whitespace().all(|w| w.parse::<f64>().is_ok());
@@ -176,7 +176,7 @@ pub fn is_ambiguous(word: &str) -> bool {
     form(word) == Form::Ambiguous
 }
 
-/// What to say about a line whose commas or points are not understood.
+/// The message about a line whose commas or points are not understood.
 pub fn hint(line: &str, comma: Option<Comma>) -> &'static str {
     let Some(dialect) = Dialect::of(line) else { return "" };
     let words = dialect.words(line);

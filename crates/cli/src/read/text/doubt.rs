@@ -3,7 +3,7 @@
 use super::columns::Width;
 use super::dialect::Dialect;
 
-/// Two rows that are not of one width.
+/// Two rows of different width.
 pub fn ragged(rows: &[(u64, Vec<String>)]) -> Option<String> {
     let (first, words) = rows.first()?;
     let width = Width::of(words);
@@ -11,7 +11,7 @@ pub fn ragged(rows: &[(u64, Vec<String>)]) -> Option<String> {
     Some(uneven((*first, width), (*number, Width::of(other))))
 }
 
-/// What is wrong with rows of two widths.
+/// What is wrong with rows of different widths.
 pub fn uneven(first: (u64, Width), other: (u64, Width)) -> String {
     format!(
         "line {} has {} words and line {} has {}: is a number missing, or parted by a blank within? Where the columns stand all the same say which hold what, e.g. --columns x,y,z or n,x,y,z",
@@ -19,7 +19,8 @@ pub fn uneven(first: (u64, Width), other: (u64, Width)) -> String {
     )
 }
 
-/// Why the first three of several columns do not look like coordinates; a file that `counts` its points is a PTS.
+/// Why the first three of several columns do not look like coordinates; a file that states the count of its points
+/// (`counts`) is a PTS.
 pub fn doubt(rows: &[Vec<String>], dialect: &Dialect, counts: bool) -> Option<String> {
     let columns = rows.iter().map(Vec::len).min().unwrap_or(0);
     if columns < 4 {
@@ -59,7 +60,7 @@ fn counts_up(rows: &[Vec<String>], dialect: &Dialect) -> bool {
     counts && (steps || rows.iter().any(|r| !r[1..4].iter().all(is_whole)))
 }
 
-/// Whether the first column is whole in every row, and three others are not.
+/// Whether the first column holds whole numbers in every row, and three others do not.
 fn leads(rows: &[Vec<String>], dialect: &Dialect, columns: usize) -> bool {
     let is_integer = |word: &str| is_whole(word.trim_start_matches(['+', '-']));
     let has_fraction = |word: &str| dialect.value(word).is_some_and(|v| v.is_finite() && v.fract() != 0.0);
@@ -74,19 +75,20 @@ fn leads(rows: &[Vec<String>], dialect: &Dialect, columns: usize) -> bool {
     rows.iter().all(|r| is_number(&r[0])) && others() >= 3 && (are_integers || !stands_still)
 }
 
-/// Whole numbers alone, and not a place and a colour, which are six.
+/// Whether all numbers are whole, and the columns are not a place and a colour, which would be six.
 fn all_whole(rows: &[Vec<String>], columns: usize) -> bool {
     let is_colour = |word: &String| word.parse::<u32>().is_ok_and(|c| c <= 255);
     let are_colours = columns == 6 && rows.iter().all(|r| r[3..6].iter().all(is_colour));
     rows.iter().all(|r| r[..columns].iter().all(is_whole)) && (!are_colours || are_decimals(rows))
 }
 
-/// `1,25,2,50,0,75`: every other column as long in all rows as decimals are, and shorter than three digits.
+/// `1,25,2,50,0,75`: every second column has the same length in all rows, as decimals have, and fewer than three
+/// digits.
 fn are_decimals(rows: &[Vec<String>]) -> bool {
     [1, 3, 5].iter().all(|&c| rows.iter().all(|r| r[c].len() == 2)) && rows.len() > 1
 }
 
-/// How many numbers a line has if groups of three digits belong to what stands before; `None` where none does.
+/// How many numbers a line has if groups of three digits belong to what precedes them; `None` where none does.
 fn groups(row: &[String]) -> Option<usize> {
     let whole = |word: &str| word.split('.').next().unwrap_or_default().to_owned();
     let digits = |s: &str| !s.is_empty() && s.bytes().all(|b| b.is_ascii_digit());

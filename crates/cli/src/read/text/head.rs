@@ -1,4 +1,4 @@
-//! The beginning of a text of points: its titles, and what they and the first rows say of all that follows.
+//! The beginning of a text of points: its titles, and what they and the first rows say about everything that follows.
 
 use anyhow::{Result, anyhow, bail};
 
@@ -22,14 +22,14 @@ pub struct Head {
     /// Comment or title that may name the columns.
     naming: Vec<String>,
     pub promised: Option<u64>,
-    /// With the numbers of their lines.
+    /// Lines with their numbers.
     pub rows: Vec<(u64, String)>,
 }
 
-/// What a head says of the rows.
+/// What a head says about the rows.
 pub struct Layout {
     pub columns: Columns,
-    /// Number and width of the first row, which all others have.
+    /// Line number and width of the first row; all others have the same width.
     pub width: (u64, Width),
     /// As the title names it.
     pub unit: Option<Unit>,
@@ -66,7 +66,7 @@ impl Head {
         Ok(head)
     }
 
-    /// Files that were joined repeat their title.
+    /// Joined files repeat their title.
     pub fn repeats_title(&self, line: &str) -> bool {
         !self.rows.is_empty() && self.titles.iter().any(|t| t == line)
     }
@@ -98,7 +98,7 @@ impl Head {
         Ok(())
     }
 
-    /// A line of units below the title is not read; where it does not say metres the option must.
+    /// A line of units below the title is not read; if it does not say metres, the option must give the unit.
     fn refuse_units(&self, options: &ReadOptions) -> Result<()> {
         match self.naming.iter().find(|line| title::are_units(line)) {
             Some(line) if options.file_unit.is_none() => {
@@ -121,7 +121,7 @@ impl Head {
         anyhow!("none of its first {} lines has {wanted}; the first is \"{}\"{way}", self.titles.len(), cut(first))
     }
 
-    /// What the sample says about separators and commas, all lines together.
+    /// What all lines of the sample together say about separators and commas.
     pub fn dialect(&self, options: &ReadOptions) -> Result<Dialect> {
         let mut dialect = Dialect::told(options.decimal_comma);
         for (number, line) in &self.rows {
@@ -136,7 +136,7 @@ impl Head {
         Ok(dialect)
     }
 
-    /// As the user says, as the title says, or as the numbers look.
+    /// The columns as the user says, as the title says, or judging by the numbers.
     pub fn layout(&self, dialect: Dialect, options: &ReadOptions) -> Result<Layout> {
         let words = |(number, line): &(u64, String)| {
             let words = dialect.learn(line).unwrap_or(dialect).words(line).iter().map(|&w| w.to_owned()).collect();
@@ -182,13 +182,13 @@ impl Head {
 }
 
 impl Layout {
-    /// The unit that the title names must be the user's.
+    /// Checks that the unit named by the title is the user's.
     pub fn check(&self, options: &ReadOptions) -> Result<()> {
         self.unit.map_or(Ok(()), |unit| check(unit.metres(), options.file_unit))
     }
 }
 
-/// Whether a line can be a point: numbers where the coordinates stand.
+/// Whether a line can be a point: there are numbers in the places of the coordinates.
 fn is_row(line: &str, columns: &Columns, options: &ReadOptions) -> bool {
     let Some(dialect) = Dialect::told(options.decimal_comma).learn(line) else { return false };
     let words = dialect.words(line);
@@ -196,7 +196,7 @@ fn is_row(line: &str, columns: &Columns, options: &ReadOptions) -> bool {
     columns.coordinates().is_some_and(|places| places.into_iter().all(is_number))
 }
 
-/// Whether three numbers stand behind a word that is none.
+/// Whether three numbers follow a word that is not a number.
 fn stand_later(line: &str) -> bool {
     let Some(dialect) = Dialect::of(line) else { return false };
     let words = dialect.words(line);

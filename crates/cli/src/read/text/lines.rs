@@ -1,4 +1,4 @@
-//! Lines of a text file: UTF-8, UTF-16 or a byte a character, ended by LF, CR or both.
+//! Lines of a text file: UTF-8, UTF-16 or one byte per character, ended by LF, CR or both.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Seek};
@@ -21,7 +21,7 @@ pub struct Lines<'a> {
     bar: &'a ProgressBar,
 }
 
-/// Longest line that can be numbers; more is a binary file.
+/// Longest line that can be numbers; longer ones mean a binary file.
 const LONGEST: usize = 4096;
 const BUFFER: usize = 1 << 20;
 
@@ -35,12 +35,12 @@ impl<'a> Lines<'a> {
         Ok(Self::of(decoded(file, encoding(&head)), 0, bar))
     }
 
-    /// Goes on where `reader` stands, behind line `number`.
+    /// Continues at the position of `reader`, after line `number`.
     pub fn of(reader: Box<dyn BufRead>, number: u64, bar: &'a ProgressBar) -> Self {
         Self { reader, line: Vec::new(), text: String::new(), number, dialect: Dialect::default(), bar }
     }
 
-    /// Where the user says so, a comma within a number is its decimal mark.
+    /// If the user says so, a comma within a number is its decimal mark.
     pub fn with_decimal_commas(mut self, are_decimal: bool) -> Self {
         self.dialect = Dialect::told(are_decimal);
         self
@@ -82,7 +82,7 @@ impl<'a> Lines<'a> {
         found.ok_or_else(|| self.unlike(&format!("{what} expected ({N} numbers)")))
     }
 
-    /// The three numbers that the next line that is not empty starts with; `None` at the end of the file.
+    /// The three numbers at the start of the next non-empty line; `None` at the end of the file.
     pub fn point(&mut self, what: &str) -> Result<Option<[f64; 3]>> {
         if !self.next_filled()? {
             return Ok(None);
@@ -91,7 +91,7 @@ impl<'a> Lines<'a> {
         found.map(Some).ok_or_else(|| self.unlike(&format!("{what} expected")))
     }
 
-    /// The same at the places that the line's words tell.
+    /// The same, at positions chosen by the line's words.
     pub fn chosen(&mut self, what: &str, places: impl Fn(&[&str]) -> Option<[usize; 3]>) -> Result<Option<[f64; 3]>> {
         if !self.next_filled()? {
             return Ok(None);
@@ -104,7 +104,7 @@ impl<'a> Lines<'a> {
         found.map(Some).ok_or_else(|| self.unlike(&format!("{what} expected")))
     }
 
-    /// Goes to the next line that is not empty; whether there is one.
+    /// Goes to the next non-empty line; returns whether there is one.
     pub fn next_filled(&mut self) -> Result<bool> {
         loop {
             match self.next()? {
@@ -115,7 +115,7 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The dialect, with what this line adds to it; `None` where it contradicts those before.
+    /// The dialect, with what this line adds to it; `None` where it contradicts earlier lines.
     fn learnt(&mut self) -> Option<Dialect> {
         self.dialect = self.dialect.learn(&self.text)?;
         Some(self.dialect)
@@ -125,18 +125,18 @@ impl<'a> Lines<'a> {
         anyhow!("line {}: {expected}, found \"{}\"{}", self.number, self.text, hint(&self.text, self.dialect.comma))
     }
 
-    /// Number of the line read last.
+    /// Number of the last line read.
     pub fn number(&self) -> u64 {
         self.number
     }
 }
 
-/// Blanks, the byte order marks that joining files leaves within, and the end mark of DOS.
+/// Blanks, the byte order marks that remain inside joined files, and the end mark of DOS.
 fn trimmed(text: &str) -> &str {
     text.trim_matches(|c: char| c.is_whitespace() || c == '\u{feff}' || c == '\u{1a}')
 }
 
-/// Appends up to the end of the line, which is taken off; returns the bytes read.
+/// Appends up to the end of the line, which is removed; returns the bytes read.
 fn read_line(reader: &mut dyn BufRead, line: &mut Vec<u8>) -> std::io::Result<usize> {
     let mut read = 0;
     loop {
@@ -161,7 +161,7 @@ fn read_line(reader: &mut dyn BufRead, line: &mut Vec<u8>) -> std::io::Result<us
     }
 }
 
-/// By its byte order mark, or by the zeros that Latin letters and digits have in UTF-16.
+/// The encoding, by the byte order mark, or by the zero bytes that Latin letters and digits have in UTF-16.
 pub fn encoding(head: &[u8]) -> &'static Encoding {
     if let Some((told, _)) = Encoding::for_bom(head) {
         return told;

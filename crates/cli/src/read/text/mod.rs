@@ -1,4 +1,4 @@
-//! Text as the field writes it: [`lines`] in any encoding, [`dialect`]s of numbers, [`columns`] and what they hold.
+//! Text files from the field: [`lines`] in any encoding, [`dialect`]s of numbers, [`columns`] and what they contain.
 
 pub mod columns;
 pub mod dialect;

@@ -1,4 +1,4 @@
-//! A number as it is written: its decimal mark, and what parts its thousands.
+//! A number as it is written: its decimal mark, and what separates its thousands.
 
 /// What a comma within a number means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -7,7 +7,7 @@ pub enum Comma {
     Thousands,
 }
 
-/// What the commas of a word say.
+/// What the commas of a word mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Form {
     Plain,
@@ -25,7 +25,7 @@ fn without_sign(word: &str) -> &str {
     word.trim_start_matches(['+', '-', '\u{2212}'])
 }
 
-/// Whether groups of three digits stand between the marks, and one to three before them.
+/// Whether there are groups of three digits between the marks, and one to three digits before them.
 fn is_grouped(whole: &str, mark: char) -> bool {
     let mut groups = whole.split(mark);
     let first = groups.next().unwrap_or_default();
@@ -35,13 +35,13 @@ fn is_grouped(whole: &str, mark: char) -> bool {
         && groups.all(|g| g.len() == 3 && all_digits(g))
 }
 
-/// `1.250` or `5.400.000`: beside decimal commas its points may part thousands.
+/// `1.250` or `5.400.000`: beside decimal commas its points may separate thousands.
 pub fn may_have_points(word: &str) -> bool {
     let digits = without_sign(word);
     digits.contains('.') && is_grouped(digits, '.')
 }
 
-/// `5.400.000` or `1.250,5`: its points can part nothing but thousands.
+/// `5.400.000` or `1.250,5`: its points can only separate thousands.
 pub fn has_points(word: &str) -> bool {
     let digits = without_sign(word);
     match digits.split_once(',') {
@@ -70,7 +70,8 @@ pub fn form(word: &str) -> Form {
     }
 }
 
-/// The word with a plain minus and exponent, without apostrophes and blanks between thousands, where they stand right.
+/// The word with a plain minus and exponent, without apostrophes and blanks between thousands where they are well
+/// placed.
 pub fn without_marks(word: &str) -> Option<String> {
     const MARKS: [char; 6] = ['\'', '\u{2019}', ' ', '\u{a0}', '\u{2009}', '\u{202f}'];
     let word = word.trim_matches(['\u{a0}', '\u{2009}', '\u{202f}']).replace('\u{2212}', "-");

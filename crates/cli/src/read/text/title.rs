@@ -9,7 +9,7 @@ use crate::read::unit::Unit;
 pub struct Title {
     pub columns: Columns,
     pub unit: Option<Unit>,
-    /// It names every column of a row.
+    /// Whether it names every column of a row.
     pub is_whole: bool,
 }
 
@@ -19,19 +19,19 @@ enum Meaning {
     Is(Column),
     East,
     North,
-    /// North beside an east, a number elsewhere.
+    /// North if an east stands beside it, otherwise a number.
     N,
     /// Degrees.
     Angle,
-    /// Known, and passed over.
+    /// Known, and skipped.
     Aside,
     Unknown,
 }
 
 use Meaning::{Angle, Aside, East, Is, N, North, Unknown};
 
-/// What a line says of rows as wide as `row`; `None` where it is no title of columns, an error where it is one that
-/// does not tell x, y and z.
+/// What a line says about rows as wide as `row`; `None` where it is no title of columns, an error where it is one that
+/// does not name x, y and z.
 pub fn of(line: &str, row: Width) -> Option<Result<Title, String>> {
     let cells = cells(line, row);
     let mut meanings: Vec<Meaning> = cells.iter().map(|c| meaning(&name_and_unit(c).0)).collect();
@@ -50,7 +50,7 @@ pub fn is_comment(line: &str) -> bool {
     line.starts_with(['#', '/', '%', '!'])
 }
 
-/// Whether a line holds nothing but units, other than metres: `[mm] [mm] [mm]`.
+/// Whether a line consists only of units other than metres: `[mm] [mm] [mm]`.
 pub fn are_units(line: &str) -> bool {
     let bare = line.trim_start_matches(['/', '#', '!', '%', ' ', '\t']);
     let words = || bare.split([' ', '\t', ',', ';', '|']).map(|w| w.trim_matches(['[', ']', '(', ')', '"']));
@@ -136,7 +136,7 @@ fn meaning(name: &str) -> Meaning {
     }
 }
 
-/// The cells of a title: parted as fits the rows, by marks or else by blanks.
+/// The cells of a title: separated as fits the rows, by marks or otherwise by blanks.
 fn cells(line: &str, row: Width) -> Vec<String> {
     let bare = line.trim_start_matches(['/', '#', '!', '%', ' ', '\t']);
     // "Columns: x y z"
@@ -162,7 +162,7 @@ fn by_marks(text: &str) -> Vec<String> {
     cells
 }
 
-/// By blanks and marks; a unit in brackets belongs to what stands before.
+/// Splits at blanks and marks; a unit in brackets belongs to what precedes it.
 fn by_anything(text: &str) -> Vec<String> {
     let mut cells: Vec<String> = Vec::new();
     for word in unquoted(text, &[' ', '\t', ',', ';', '|']).map(|w| w.trim_matches('"')).filter(|w| !w.is_empty()) {
@@ -198,7 +198,7 @@ fn name_and_unit(cell: &str) -> (String, Option<&str>) {
     (bare, unit)
 }
 
-/// The unit that the coordinates are named with.
+/// The unit given with the names of the coordinates.
 fn unit_of(cells: &[&str; 3]) -> Result<Option<Unit>, String> {
     let mut named = Vec::new();
     for cell in cells {
@@ -219,7 +219,7 @@ fn unit_of(cells: &[&str; 3]) -> Result<Option<Unit>, String> {
     if is_one { Ok(first) } else { Err(format!("its title names different units: {}", cells.join(", "))) }
 }
 
-/// `Some(None)` is a unit that is not read.
+/// `Some(None)` is a unit that is not supported.
 fn unit_named(word: &str) -> Option<Option<Unit>> {
     Some(match word.to_lowercase().as_str() {
         "m" | "metre" | "metres" | "meter" | "meters" => Some(Unit::M),

@@ -1,11 +1,11 @@
-//! Solids made ready for a kernel that wants every edge matched and no faces in one plane.
+//! Solids prepared for a kernel that needs every edge matched and no two faces in one plane.
 
 use std::collections::HashMap;
 
 use super::line::{Vector, dot, unit};
 use crate::read::ifc::soup::Soup;
 
-/// Vertices nearer to each other, or to an edge, are on it, metres.
+/// Vertices nearer than this to each other coincide, and to an edge lie on it, metres.
 const WELD_M: f64 = 1e-6;
 const ON_EDGE_M: f64 = 1e-5;
 
@@ -90,7 +90,7 @@ fn between(soup: &Soup, vertices: &[u32], a: u32, b: u32) -> Vec<u32> {
     on.into_iter().map(|(_, i)| i).collect()
 }
 
-/// A solid whose faces are moved outwards so far: no face stays in the plane of another solid's.
+/// A solid whose faces are moved outwards by this much, so that no face stays in the plane of another solid's.
 pub fn enlarged(mesh: &Soup, by: f64) -> Soup {
     let by = if mesh.volume() < 0.0 { -by } else { by };
     let mut normals: Vec<Vec<Vector>> = vec![Vec::new(); mesh.vertices.len()];

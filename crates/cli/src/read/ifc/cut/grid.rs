@@ -1,12 +1,12 @@
-//! Boxes cut out of a box that lies as they do, in whatever direction: a grid of their faces' planes, whose cells are
-//! solid or not. Exact, closed, and without a case that could be missed.
+//! Boxes cut out of a box of the same orientation, whatever it is: a grid of their faces' planes, whose cells are solid
+//! or not. Exact, closed, and complete.
 
 use super::line::{Vector, cross, dot, unit};
 use crate::read::ifc::soup::Soup;
 
-/// A vertex farther than this from the corners of a box makes it none, metres.
+/// A mesh with a vertex farther than this from the corners of a box is not a box, metres.
 const CORNER_M: f64 = 5e-5;
-/// Planes nearer to each other are one, metres: rounding must leave no skin.
+/// Planes nearer to each other than this are one, metres: rounding must leave no skin.
 const SAME_M: f64 = 1e-4;
 const MAX_CELLS: usize = 1 << 20;
 
@@ -16,7 +16,7 @@ pub struct GridCut {
     pub volume: f64,
 }
 
-/// `None` where host and openings are not all boxes of the same directions.
+/// `None` where host and openings are not all boxes of the same orientation.
 pub fn cut(host: &Soup, tools: &[Soup]) -> Option<GridCut> {
     let frame = Frame::of(host)?;
     let outer = frame.cuboid(host)?;
@@ -81,7 +81,7 @@ struct Frame {
 }
 
 impl Frame {
-    /// By its largest face and the largest one across it.
+    /// Taken from its largest face and the largest one perpendicular to it.
     fn of(host: &Soup) -> Option<Self> {
         let normals: Vec<Vector> = (0..host.triangles.len()).map(|t| host.normal(t)).collect();
         let size = |n: &&Vector| dot(**n, **n);
@@ -103,7 +103,7 @@ impl Frame {
         [0, 1, 2].map(|k| self.origin[k] + (0..3).map(|i| local[i] * self.axes[i][k]).sum::<f64>())
     }
 
-    /// From where to where a box reaches; `None` if it is no box of these directions.
+    /// The extent of a box along these directions; `None` if it is not a box of this orientation.
     fn cuboid(&self, mesh: &Soup) -> Option<[[f64; 2]; 3]> {
         let local: Vec<Vector> = mesh.vertices.iter().map(|&v| self.local(v)).collect();
         let range =

@@ -4,27 +4,27 @@
 use super::line::{Line, union, unit, without};
 use crate::read::ifc::soup::Soup;
 
-/// Shorter stretches are rounding, metres: the geometry library's grid of 1/65536 m, seen aslant.
+/// Shorter stretches are rounding, metres: the geometry library's grid of 1/65536 m, crossed at a slant.
 const TOLERANCE_M: f64 = 2e-3;
-/// A skin that closes an opening is thinner than any part of a building, metres.
+/// A stretch thinner than this is a skin that closes an opening, metres: no part of a building is as thin.
 const SKIN_M: f64 = 1e-4;
 const NOTHING_M: f64 = 1e-6;
-/// A line may graze an edge; so many that find a skin do not.
+/// A single line may graze an edge; this many that find a skin do not.
 const SKINS: usize = 3;
 /// Lines through all openings of a host.
 const LINES_OF_HOST: usize = 480;
 
-/// What was found of a cut.
+/// What was found about a cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Finding {
     Right,
-    /// So much too little or too much along a line, metres.
+    /// This much too little or too much along a line, metres.
     Wrong(f64),
-    /// Host or openings are no closed solids.
+    /// The host or an opening is not a closed solid.
     Open,
 }
 
-/// Judges what is left of a host along so many lines through each of its openings, the `tools`.
+/// Judges what is left of a host along this many lines through each of its openings, the `tools`.
 pub fn judge(host: &Soup, tools: &[Soup], left: &Soup, lines: usize) -> Finding {
     // The same lines every time.
     let mut random = Random(0x1FC);
@@ -80,7 +80,7 @@ fn compare(host: &Soup, tools: &[Soup], left: &Soup, line: &Line) -> Option<(f64
 pub struct Random(pub u64);
 
 impl Random {
-    /// From 0 to 1.
+    /// The next number between 0 and 1.
     pub fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;

@@ -8,11 +8,12 @@ use super::clean::{enlarged, stitched};
 use super::line::dot;
 use crate::read::ifc::soup::Soup;
 
-/// How far openings are enlarged, metres: less than any wall is exact, more than the library rounds.
+/// How far openings are enlarged, metres: less than the accuracy of any wall, more than the library's rounding.
 pub const OUTWARDS_M: [f64; 2] = [5e-5, 2e-4];
 
-/// What is left of the host and the openings that were cut, one way after the other: openings larger by so much, each
-/// by another measure, so that no faces lie in one plane and no skins are left.
+/// What is left of the host, with the openings that were cut, one attempt for each amount by which openings are
+/// enlarged. Within an attempt every opening is enlarged by a slightly different amount, so that no faces share a plane
+/// and no skins are left.
 pub fn all_ways<'a>(host: &Soup, tools: &[Soup], by: &'a [f64]) -> impl Iterator<Item = (Soup, Vec<Soup>)> + use<'a> {
     let host = stitched(host);
     // One without thickness cuts nothing; enlarged it would be a slit.
@@ -29,7 +30,7 @@ fn is_flat(tool: &Soup) -> bool {
     tool.volume().abs() < 1e-4 * area
 }
 
-/// What is left of the host; `None` where the kernel cannot.
+/// What is left of the host; `None` where the kernel fails.
 fn subtract(host: &Soup, tools: &[Soup]) -> Option<Soup> {
     let zero = *host.vertices.first()?;
     let work = || {

@@ -4,14 +4,14 @@ use crate::read::ifc::soup::Soup;
 
 pub type Vector = [f64; 3];
 
-/// A line with two axes across it.
+/// A line with two axes perpendicular to it.
 pub struct Line {
     point: Vector,
     axes: [Vector; 3],
 }
 
 impl Line {
-    /// Through a point; `direction` is a unit vector.
+    /// The line through a point; `direction` is a unit vector.
     pub fn new(point: Vector, direction: Vector) -> Self {
         let least = (0..3).min_by(|&a, &b| direction[a].abs().total_cmp(&direction[b].abs())).unwrap_or(0);
         let mut helper = [0.0; 3];
@@ -25,9 +25,9 @@ impl Line {
         self.axes.map(|axis| dot(axis, d))
     }
 
-    /// Stretches of the line inside a mesh, in order; `None` where it leaves a mesh that it never entered: that is
-    /// not closed. Where faces are drawn twice or solids overlap, what counts is whether there is any solid. `as_is`
-    /// is false for meshes whose faces may all look inwards.
+    /// Stretches of the line inside a mesh, in order; `None` where it leaves a mesh that it never entered, which is
+    /// then not closed. Where faces are drawn twice or solids overlap, what counts is whether there is any solid.
+    /// `as_is` is false for meshes whose faces may all point inwards.
     pub fn inside(&self, mesh: &Soup, as_is: bool) -> Option<Vec<[f64; 2]>> {
         let local: Vec<Vector> = mesh.vertices.iter().map(|&v| self.local(v)).collect();
         let mut crossings: Vec<(f64, i32)> = mesh.triangles.iter().filter_map(|&t| crossing(&local, t)).collect();
@@ -47,8 +47,8 @@ impl Line {
     }
 }
 
-/// Where the line crosses a triangle, and whether it enters (+1) or leaves (−1). Both triangles of an edge decide by
-/// the same number on which side of it the line passes: it is never counted twice nor missed.
+/// Where the line crosses a triangle, and whether it enters (+1) or leaves (−1). Both triangles at an edge decide by
+/// the same number on which side of it the line passes, so a crossing is neither counted twice nor missed.
 fn crossing(local: &[Vector], triangle: [u32; 3]) -> Option<(f64, i32)> {
     let [a, b, c] = triangle.map(|i| local[i as usize]);
     let [x, y] = [0, 1].map(|k| (a[k].min(b[k]).min(c[k]), a[k].max(b[k]).max(c[k])));

@@ -1,10 +1,9 @@
-//! The openings of a product, cut and proven: the geometry library is wrong where recesses overlap windows. Every
-//! cut is judged; one that is wrong is made again, by whatever way gives one that is right: the grid of the faces'
-//! planes, an independent kernel, the library in a copy of the model turned by a generic angle. What cannot be proven
-//! is said.
+//! The openings of a product, cut and proven: the geometry library is wrong where recesses overlap windows. Every cut
+//! is judged; a wrong one is made again by the first method that gives a right one: the grid of the faces' planes, an
+//! independent kernel, the library on a copy of the model turned by a generic angle. What cannot be proven is reported.
 //!
 //! * [`grid`]: boxes cut out of boxes;
-//! * [`kernel`], [`clean`]: any closed solids, by another library, and how it wants them;
+//! * [`kernel`], [`clean`]: any closed solids, by another library, and how they are prepared for it;
 //! * [`line`]: where a line is inside a mesh;
 //! * [`judge`]: whether a cut is right;
 //! * [`turned`]: the model in another direction.
@@ -26,9 +25,9 @@ use judge::{Finding, common, judge};
 use super::meshing::{Meshed, Meshing, Warm};
 use super::soup::Soup;
 
-/// Volumes that differ by less are the same.
+/// Volumes that differ by less than this are the same.
 const SAME_VOLUME: f64 = 3e-4;
-/// Lines through an opening that are to prove a cut.
+/// Number of lines through each opening that prove a cut.
 const LINES: usize = 48;
 /// Generic angles, degrees: far from the axes, from their diagonals and from each other.
 const TURNS: [f64; 3] = [33.71, 61.29, 17.93];
@@ -48,7 +47,7 @@ pub struct Cut {
     pub check: Duration,
     /// Why its cut is not proven.
     pub unproven: Option<String>,
-    /// It was cut once more.
+    /// It was cut again.
     pub mended: bool,
 }
 
@@ -91,7 +90,7 @@ impl Cutter {
         cut
     }
 
-    /// Checks the library's cut; where it is wrong, the first of the other ways that is right stands.
+    /// Checks the library's cut; where it is wrong, takes the first right one of the other methods.
     fn prove(&self, id: u32, host: &Soup, tools: &[Soup], cut: &mut Cut) {
         let grid = grid::cut(host, tools);
         let is_near = |volume: f64| (cut.meshed.soup.volume() - volume).abs() <= SAME_VOLUME * volume;
@@ -129,7 +128,7 @@ impl Cutter {
         }
     }
 
-    /// Its openings, and the numbers of those that are drawn but cannot be meshed.
+    /// Its openings, and the record numbers of those that are drawn but cannot be meshed.
     fn tools(&self, id: u32, warm: &mut Warm) -> (Vec<Soup>, Vec<u32>) {
         let (mut tools, mut lost) = (Vec::new(), Vec::new());
         for &opening in self.upright.openings(id) {

@@ -8,7 +8,7 @@ use crate::read::ifc::meshing::Meshing;
 use crate::read::ifc::soup::Soup;
 use crate::read::ifc::step::turned_text;
 
-/// The model turned by so many degrees; `None` where nothing of it can be turned.
+/// The model turned by this many degrees; `None` where nothing in it can be turned.
 pub fn model(text: &[u8], degrees: f64, radians: Option<f64>) -> Option<Meshing> {
     // The process that meshes ends with the file: what is kept until then needs no owner.
     let text: &'static [u8] = Vec::leak(turned_text(text, degrees)?);

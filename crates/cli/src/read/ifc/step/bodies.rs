@@ -1,5 +1,5 @@
-//! Which representations of a product are its body: the geometry library goes by their types alone, and adds
-//! clearances, references and fallbacks to it.
+//! Which representations of a product are its body: the geometry library considers only their types, and would add
+//! clearances, references and fallbacks to the body.
 
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -12,13 +12,13 @@ use super::value::Value;
 /// A representation that the library would mesh.
 struct Body {
     id: u64,
-    /// 0 for the body itself; `None` for what is none.
+    /// 0 for the body itself; `None` for what is not a body.
     rank: Option<u8>,
-    /// Drawn for plans, sketches and the like.
+    /// Whether it is drawn for plans, sketches and the like.
     is_drawing: bool,
 }
 
-/// Takes out of every product's representations what is no body, or a second one of the same.
+/// Removes from every product's representations what is not a body, or is a second body of the same shape.
 pub fn choose(document: &Document, edits: &mut Edits, notes: &mut Vec<(u64, String)>, words: &mut Vec<String>) {
     let mut bodiless = Vec::new();
     for shape in document.all("IFCPRODUCTDEFINITIONSHAPE").chain(document.all("IFCPRODUCTREPRESENTATION")) {
@@ -47,7 +47,7 @@ pub fn choose(document: &Document, edits: &mut Edits, notes: &mut Vec<(u64, Stri
     }
 }
 
-/// The best of them; of those that are equally good and draw the same, the first.
+/// The best representation; among equally good ones that draw the same, the first.
 fn kept(document: &Document, bodies: &[Body]) -> HashSet<u64> {
     let Some(best) = bodies.iter().filter_map(|b| b.rank).min() else { return HashSet::new() };
     let mut of_rank: Vec<&Body> = bodies.iter().filter(|b| b.rank == Some(best)).collect();
@@ -74,7 +74,7 @@ impl Body {
     }
 }
 
-/// As the library decides; where nothing is said it meshes.
+/// As the library decides; where nothing is specified, it meshes.
 fn is_meshed(kind: Option<&[u8]>) -> bool {
     const KINDS: [&[u8]; 12] = [
         b"Body",
@@ -105,7 +105,7 @@ fn rank(identifier: Option<&[u8]>) -> Option<u8> {
     }
 }
 
-/// Whether a context is one of another view than the model's.
+/// Whether a context belongs to a view other than the model's.
 fn is_drawing(document: &Document, context: u64) -> bool {
     let Some(record) = document.find(context) else { return false };
     let values = document.values(record);
@@ -115,7 +115,7 @@ fn is_drawing(document: &Document, context: u64) -> bool {
     values.get(1).and_then(Value::text).is_some_and(|t| t.eq_ignore_ascii_case(b"Plan"))
 }
 
-/// What a representation draws, whatever its records' numbers are; `None` where it is too much to compare.
+/// What a representation draws, independent of its records' numbers; `None` where it is too large to compare.
 fn signature(document: &Document, representation: u64) -> Option<u64> {
     let items = document.values(document.find(representation)?).into_iter().nth(3)?;
     let (mut hasher, mut left) = (DefaultHasher::new(), 20_000);
@@ -160,7 +160,7 @@ mod tests {
         #6=IFCGEOMETRICREPRESENTATIONCONTEXT($,'Model',3,1.E-5,#5,$);\
         #7=IFCGEOMETRICREPRESENTATIONSUBCONTEXT('Body','Model',*,*,*,*,#6,$,.PLAN_VIEW.,$);";
 
-    /// What is left of a product's representations: identifier, context and item of each.
+    /// What remains of a product's representations: identifier, context and item of each.
     fn left(representations: &[(&str, u64, u64)]) -> String {
         let mut text = ITEMS.to_owned();
         for (k, (name, context, item)) in representations.iter().enumerate() {

@@ -28,7 +28,8 @@ pub fn write_out(document: &Document, free: &mut dyn Iterator<Item = u64>, edits
     }
 }
 
-/// Half the thickness to each side, mitred at corners, and whether the line is closed; none where it turns back.
+/// Half the thickness to each side, mitred at corners, and whether the line is closed; `None` where it turns back on
+/// itself.
 fn sides(line: &[Vec<f64>], thickness: f64) -> Option<(Vec<Point>, Vec<Point>, bool)> {
     const BACK_COS: f64 = -0.98;
     let mut line: Vec<Point> = line.iter().map(|p| p.first_chunk().copied()).collect::<Option<_>>()?;

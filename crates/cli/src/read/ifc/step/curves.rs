@@ -1,11 +1,11 @@
-//! Trimmed curves that the geometry library reads whole: lines are written as what is left of them.
+//! Trimmed curves that the geometry library reads untrimmed: lines are written as what is left of them.
 
 use super::document::{Document, Edits};
 use super::line::{Line, line_of};
 use super::profiles::polyline;
 use super::value::Value;
 
-/// Nearer than this (of the line's length) a point lies on the line.
+/// A point nearer than this (as a fraction of the line's length) lies on the line.
 const ON_LINE: f64 = 1e-4;
 
 /// What the library does not trim.
@@ -38,7 +38,7 @@ pub fn write_out_trimmed(
     }
 }
 
-/// The piece between both trims, in the curve's own sense.
+/// The piece between both trims, in the curve's own direction.
 pub fn trimmed(document: &Document, line: &Line, values: &[Value]) -> Option<Vec<Vec<f64>>> {
     let by_parameter = values.get(4)?.is("PARAMETER");
     let at = |trim: &Value| parameter(document, line, trim, by_parameter);
@@ -63,7 +63,7 @@ pub fn between(line: &[Vec<f64>], from: f64, to: f64) -> Vec<Vec<f64>> {
     left
 }
 
-/// Where a trim lies: the segment's number and the part of it.
+/// Where a trim lies: the segment's number and the fraction of it.
 fn parameter(document: &Document, line: &Line, trim: &Value, by_parameter: bool) -> Option<f64> {
     let number = trim.list().iter().find_map(Value::number);
     let point = trim.list().iter().find_map(Value::reference).and_then(|id| document.coordinates(id));

@@ -1,6 +1,6 @@
-//! Profiles drawn by many short edges: the geometry library takes them for smooth curves and thins them out by up to
-//! 10 mm, more than many a tolerance. Here they are thinned by less; drawn larger, and made small again by an operator,
-//! they keep what is left.
+//! Profiles drawn by many short edges: the geometry library takes them for smooth curves and thins them out by up to 10
+//! mm, more than many a tolerance. Here they are thinned by less; drawn larger, and scaled down again by an operator,
+//! they are left alone by the library.
 
 use std::borrow::Cow;
 use std::collections::HashSet;
@@ -14,16 +14,17 @@ use super::record::Record;
 use super::units::project_metres;
 use super::value::{Value, real};
 
-/// By so much: a power of two, which changes no digit.
+/// The factor of enlargement: a power of two, which changes no digit.
 const LARGER: f64 = (1u64 << 20) as f64;
-/// The library's own bounds: fewer points, or longer edges as parts of the diagonal, are left alone.
+/// The library's own bounds: profiles with fewer points, or with longer edges as fractions of the diagonal, are left
+/// alone.
 const FEWEST_POINTS: usize = 24;
 const LONGEST_MEAN: f64 = 1.0 / 16.0;
 const LONGEST: f64 = 0.10;
-/// By how much a boundary may be off, metres: every corner of an opening is dear where it is cut.
+/// By how much a boundary may be off, metres; more for openings, where every corner makes the cut slower.
 const OFF_M: f64 = 2e-4;
 const OFF_OF_OPENINGS_M: f64 = 2e-3;
-/// Profiles of more points are left alone.
+/// Profiles of more points than this are left alone.
 const MOST_POINTS: usize = 4096;
 
 const KINDS: [&str; 2] = ["IFCARBITRARYCLOSEDPROFILEDEF", "IFCARBITRARYPROFILEDEFWITHVOIDS"];
@@ -82,7 +83,7 @@ fn may_be_dense(document: &Document, curve: u64) -> bool {
 
 type Boundary = Vec<[f64; 2]>;
 
-/// The points of a closed curve, the first not repeated.
+/// The points of a closed curve, with the first not repeated.
 pub fn boundary(document: &Document, library: &mut Library, id: u64) -> Option<Boundary> {
     let mut points: Boundary = if let Some(points) = points_of(document, id) {
         points.iter().map(|p| p.first_chunk().copied()).collect::<Option<_>>()?
@@ -138,7 +139,7 @@ fn shapes_of_openings(document: &Document) -> HashSet<u64> {
     seen
 }
 
-/// Without points that lie nearer than `off` to the edges that are left.
+/// The polygon without points nearer than `off` to the remaining edges.
 fn thinned(points: &[[f64; 2]], off: f64) -> Boundary {
     let n = points.len();
     let is_near = |a: [f64; 2], b: [f64; 2], p: [f64; 2]| {

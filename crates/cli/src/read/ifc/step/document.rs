@@ -90,7 +90,7 @@ impl<'a> Document<'a> {
         self.values(record).first()?.list().iter().map(Value::number).collect()
     }
 
-    /// Numbers that no record has yet, within what the geometry library can count.
+    /// Numbers that no record has yet, within the range of the geometry library.
     pub fn free_numbers(&self) -> impl Iterator<Item = u64> + use<> {
         let last = self.records.iter().map(|r| r.id).filter(|&id| id <= MAX_NUMBER).max().unwrap_or(0);
         let used: HashSet<u64> =
@@ -103,7 +103,7 @@ impl<'a> Document<'a> {
 /// The geometry library counts records in 32 bits.
 pub const MAX_NUMBER: u64 = u32::MAX as u64;
 
-/// Pieces of a text to be replaced.
+/// Replacements for pieces of a text.
 #[derive(Debug, Default)]
 pub struct Edits(Vec<(Range<usize>, Vec<u8>)>);
 
@@ -116,7 +116,7 @@ impl Edits {
         self.0.is_empty()
     }
 
-    /// The text with its edits; where two overlap the first stands.
+    /// The text with its edits; where two overlap, the first counts.
     pub fn apply(mut self, text: &[u8]) -> Vec<u8> {
         self.0.sort_by_key(|(piece, _)| piece.start);
         let mut out = Vec::with_capacity(text.len() + self.0.iter().map(|(_, by)| by.len()).sum::<usize>());

@@ -1,4 +1,4 @@
-//! Names in other encodings than the standard's: bytes that are no UTF-8 are read as Latin-1 (Windows-1252).
+//! Names in encodings other than the standard's: bytes that are not UTF-8 are read as Latin-1 (Windows-1252).
 
 use std::borrow::Cow;
 
@@ -7,7 +7,7 @@ use encoding_rs::WINDOWS_1252;
 use super::document::Edits;
 use super::record::{comment_end, string_end};
 
-/// Every byte that is no UTF-8 becomes the standard's own way to write it; `words` say how many texts there were.
+/// Every byte that is not UTF-8 is written in the standard's own way; `words` say how many texts there were.
 pub fn readable<'a>(text: Cow<'a, [u8]>, words: &mut Vec<String>) -> Cow<'a, [u8]> {
     if std::str::from_utf8(&text).is_ok() {
         return text;

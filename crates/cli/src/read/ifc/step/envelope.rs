@@ -1,4 +1,4 @@
-//! What stands around a STEP file: byte order marks, comments and blanks before it, anything behind it; UTF-16.
+//! What surrounds a STEP file: byte order marks, comments and blanks before it, anything after it; UTF-16.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use super::record::skip_blank;
 const BEGINNING: &[u8] = b"ISO-10303-21";
 const END: &[u8] = b"END-ISO-10303-21";
 
-/// The file from `ISO-10303-21` to behind `END-ISO-10303-21;`, in bytes that extend ASCII.
+/// The file from `ISO-10303-21` up to and including `END-ISO-10303-21;`, in an encoding that extends ASCII.
 pub fn open<'a>(bytes: &'a [u8], words: &mut Vec<String>) -> Result<Cow<'a, [u8]>, String> {
     match bytes {
         [0xFF, 0xFE, rest @ ..] => Ok(Cow::Owned(trim(&utf16(rest, UTF_16LE), words)?.to_vec())),
@@ -20,7 +20,7 @@ pub fn open<'a>(bytes: &'a [u8], words: &mut Vec<String>) -> Result<Cow<'a, [u8]
     }
 }
 
-/// Half a unit at the end is none.
+/// Half a code unit at the end is ignored.
 fn utf16(bytes: &[u8], encoding: &'static Encoding) -> Vec<u8> {
     let whole = &bytes[..bytes.len() & !1];
     encoding.decode_without_bom_handling(whole).0.into_owned().into_bytes()

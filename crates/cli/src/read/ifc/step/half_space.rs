@@ -1,6 +1,6 @@
 //! Half spaces bounded by a polygon (IfcPolygonalBoundedHalfSpace) whose plane is steep: the geometry library puts the
-//! polygon on the plane and moves it by the size of what is cut, which falls short the steeper the plane is, and leaves
-//! an upright one out. Such a one is written as a long prism from which the other half space is taken away.
+//! polygon on the plane and moves it by the size of what is cut. That falls short the steeper the plane is, and an
+//! upright plane is left out. Such a half space is written as a long prism less the other half space.
 
 use std::collections::{HashMap, HashSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -11,11 +11,11 @@ use super::library::Library;
 use super::record::Record;
 use super::value::{Value, real};
 
-/// Planes that lean by no more than some 65 degrees (cosine against the boundary's z) are left to the library: its
-/// depth suffices for most, and mitred walls whose cuts meet, as built at 65 degrees, are too much for its kernel when
-/// written out.
+/// Planes that lean by no more than about 65 degrees (cosine against the boundary's z) are left to the library: its
+/// depth suffices for most of them, and mitred walls whose cuts meet, as in a model with 65 degrees, are too much for
+/// its kernel when written out.
 const STEEP_COS: f64 = 0.414;
-/// A file whose half spaces need more records looked at keeps the rest as they are.
+/// A file whose half spaces need more records than this to be examined keeps the rest as they are.
 const MOST_RECORDS: usize = 1 << 24;
 
 type Vector = [f64; 3];
@@ -45,14 +45,14 @@ pub fn write_out(
     }
 }
 
-/// The records of one.
+/// The records of a half space.
 struct HalfSpace {
     plane: u64,
     /// The plane's normal points away from it.
     agrees: bool,
     boundary: u64,
     place: u64,
-    /// Of the plane and of the boundary.
+    /// Placements of the plane and of the boundary.
     frames: [Frame; 2],
     /// The boundary's axes as written.
     axes: [Option<u64>; 2],
@@ -78,7 +78,7 @@ impl HalfSpace {
         dot(self.frames[0].z, self.frames[1].z).abs() < STEEP_COS
     }
 
-    /// A prism that reaches beyond all within `reach` of the zero, less what is on the plane's other side.
+    /// A prism that reaches beyond everything within `reach` of the zero, less what is on the plane's other side.
     fn text(&self, id: u64, corners: &[[f64; 2]], reach: f64, free: &mut dyn Iterator<Item = u64>) -> Option<String> {
         let frame = &self.frames[1];
         let middle = -dot(frame.origin, frame.z);
@@ -117,7 +117,7 @@ impl HalfSpace {
     }
 }
 
-/// An IfcAxis2Placement3D, its axes of length one and square.
+/// An IfcAxis2Placement3D, its axes orthonormal.
 struct Frame {
     origin: Vector,
     z: Vector,
@@ -154,10 +154,10 @@ fn unit(v: Vector) -> Option<Vector> {
     (length > 1e-12 && length.is_finite()).then(|| v.map(|c| c / length))
 }
 
-/// How far from the zero that may lie which a half space cuts.
+/// How far from the zero anything may lie that a half space cuts.
 struct Reach<'a> {
     document: &'a Document<'a>,
-    /// What each is taken from.
+    /// What each half space is taken from.
     hosts: HashMap<u64, Vec<u64>>,
     left: usize,
 }
@@ -174,7 +174,7 @@ impl<'a> Reach<'a> {
         Self { document, hosts, left: MOST_RECORDS }
     }
 
-    /// The largest number of each kind of record that they are made of, added up: points, and what they are moved by.
+    /// The sum of the largest coordinates in each kind of record that they are made of: points, and what moves them.
     fn of(&mut self, cutter: u64) -> Option<f64> {
         let mut open = self.hosts.get(&cutter)?.clone();
         let (mut seen, mut largest) = (HashSet::new(), HashMap::new());

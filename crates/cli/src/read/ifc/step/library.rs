@@ -11,7 +11,7 @@ const QUALITY: TessellationQuality = TessellationQuality::Medium;
 pub struct Library<'a> {
     pub decoder: EntityDecoder<'a>,
     profiles: ProfileProcessor,
-    /// Of the file's unit of angles.
+    /// Radians of the file's unit of angles.
     pub radians: f64,
 }
 
@@ -34,7 +34,7 @@ impl<'a> Library<'a> {
         self.decoder.direction3_at(of, slot).ok()?
     }
 
-    /// Where an IfcAxis2Placement3D puts things; none given is the zero.
+    /// The transform of an IfcAxis2Placement3D; the identity if none is given.
     pub fn placement(&mut self, of: &DecodedEntity, slot: usize) -> Option<Matrix4<f64>> {
         let Some(placement) = self.decoder.resolve_optional(of, slot).ok()? else { return Some(Matrix4::identity()) };
         Some(Axis2Placement::read_3d(&placement, &mut self.decoder).ok()?.matrix())

@@ -4,7 +4,7 @@ use super::curves::trimmed;
 use super::document::Document;
 use super::value::Value;
 
-/// No curve nests deeper, and none has more points.
+/// Deepest nesting of a curve, and most points.
 const MAX_DEPTH: usize = 16;
 const MOST_POINTS: usize = 1 << 16;
 
@@ -15,7 +15,7 @@ pub struct Line {
     pub is_even: bool,
 }
 
-/// A polyline, an indexed one, one composed or trimmed of such; none where it has arcs.
+/// A polyline, an indexed one, or one composed or trimmed of such; `None` where it has arcs.
 pub fn line_of(document: &Document, id: u64) -> Option<Line> {
     nested(document, id, 0)
 }
@@ -84,7 +84,7 @@ fn composed(document: &Document, values: &[Value], depth: usize) -> Option<Line>
     Some(line)
 }
 
-/// A point where the last one lies is not repeated.
+/// A point that coincides with the last one is not repeated.
 fn join(points: &mut Vec<Vec<f64>>, next: impl Iterator<Item = Vec<f64>>) {
     for (i, point) in next.enumerate() {
         if i > 0 || points.last() != Some(&point) {

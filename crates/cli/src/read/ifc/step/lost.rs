@@ -1,4 +1,4 @@
-//! What a file would lose without a word: records behind a missing semicolon, and records that share a number.
+//! What a file would lose silently: records after a missing semicolon, and records that share a number.
 
 use std::borrow::Cow;
 
@@ -30,7 +30,7 @@ pub fn separated<'a>(text: Cow<'a, [u8]>, words: &mut Vec<String>) -> Cow<'a, [u
     if edits.is_empty() { text } else { Cow::Owned(edits.apply(&text)) }
 }
 
-/// Where records begin within a record, and whether just a semicolon is missing before.
+/// Where records begin within a record, and whether only a semicolon is missing before them.
 fn inner(text: &[u8], record: &Record) -> Vec<(usize, bool)> {
     let (mut at, mut depth, mut out) = (record.arguments.start, 1i32, Vec::new());
     let mut last = None;

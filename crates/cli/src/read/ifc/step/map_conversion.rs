@@ -18,7 +18,7 @@ pub struct MapConversion {
 }
 
 impl MapConversion {
-    /// The first one of a file.
+    /// The first IfcMapConversion of a file.
     pub fn read(document: &Document) -> Option<Self> {
         let record = document.all("IFCMAPCONVERSION").chain(document.all("IFCMAPCONVERSIONSCALED")).next()?;
         let values = document.values(record);

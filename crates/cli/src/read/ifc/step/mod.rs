@@ -1,16 +1,16 @@
-//! The text of a STEP file, as the field writes it, made what the geometry library can read:
+//! The text of a STEP file from the field, rewritten so that the geometry library can read it:
 //!
-//! * [`envelope`]: what stands around it; UTF-16;
+//! * [`envelope`]: what surrounds it; UTF-16;
 //! * [`encoding`]: names that are no UTF-8;
-//! * [`numbers`]: numbers of records beyond 32 bits;
-//! * [`lost`]: records that would be lost without a word; [`bodies`]: which representations are a body;
+//! * [`numbers`]: record numbers beyond 32 bits;
+//! * [`lost`]: records that would be lost silently; [`bodies`]: which representations are a body;
 //! * [`profiles`], [`steel`], [`centre_line`], [`curves`], [`line`], [`parameters`]: shapes that the library lacks or
-//!   reads otherwise than meant;
+//!   misreads;
 //! * [`dense`]: profiles that it would thin out; [`library`]: what is asked of it;
-//! * [`half_space`], [`voids`]: cuts that it makes too small, or not;
+//! * [`half_space`], [`voids`]: cuts that it makes too small, or not at all;
 //! * [`sweep`]: solids that it narrows at corners, or lacks;
 //! * [`turn`]: a model turned as a whole;
-//! * [`units`], [`map_conversion`]: what is read of it beside the geometry;
+//! * [`units`], [`map_conversion`]: what is read besides the geometry;
 //! * [`record`], [`value`], [`document`]: the text, record by record.
 
 mod bodies;
@@ -49,16 +49,16 @@ pub struct Step<'a> {
     pub text: Cow<'a, [u8]>,
     /// What the user should know.
     pub words: Vec<String>,
-    /// The same about single records, by their numbers.
+    /// The same for single records, by their numbers.
     pub notes: Vec<(u64, String)>,
-    /// Numbers in the file of records that have others here.
+    /// The original numbers of records that were renumbered.
     pub original: HashMap<u64, u64>,
-    /// Radians of the unit of angles, where it is not the one that the file tells.
+    /// The unit of angles in radians, where it is not the one that the file declares.
     pub angle: Option<f64>,
     pub map_conversion: Option<MapConversion>,
-    /// Metres of the project's unit of length.
+    /// The project's unit of length in metres.
     pub length_unit: Option<f64>,
-    /// The project has a unit of length, whatever it is worth.
+    /// Whether the project has a unit of length, whatever its value.
     pub names_length: bool,
 }
 
@@ -85,7 +85,8 @@ impl<'a> Step<'a> {
         Ok(Self { text, words, notes, original, angle, map_conversion, length_unit, names_length })
     }
 
-    /// The unit of length that counts, the one that is meshed with, and what is to be said where the file tells another.
+    /// The unit of length that counts, the one used for meshing, and what to tell the user where the file declares
+    /// another.
     pub fn settled_unit(&self, meshed: f64) -> (Option<f64>, Option<String>) {
         if !self.names_length {
             return (None, None);
@@ -107,12 +108,12 @@ impl<'a> Step<'a> {
     }
 }
 
-/// A record by itself.
+/// A single record.
 pub struct Described {
-    /// In capitals.
+    /// The keyword, in capitals.
     pub keyword: String,
     pub references: Vec<u64>,
-    /// Its arguments, as far as they are numbers; `None` where they are no list of values.
+    /// Its arguments, as far as they are numbers; `None` where they are not a list of values.
     pub numbers: Option<Vec<Option<f64>>>,
 }
 
@@ -129,7 +130,7 @@ pub fn described(text: &[u8]) -> Option<Described> {
     })
 }
 
-/// What is said of records, by their numbers, and of the file.
+/// What is said about records, by their numbers, and about the file.
 struct Said<'a> {
     notes: &'a mut Vec<(u64, String)>,
     words: &'a mut Vec<String>,

@@ -1,4 +1,4 @@
-//! Numbers of records beyond 32 bits, which the geometry library cannot count.
+//! Record numbers beyond 32 bits, which the geometry library cannot represent.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -6,7 +6,7 @@ use std::collections::HashMap;
 use super::document::{Document, Edits, MAX_NUMBER};
 use super::value::references;
 
-/// Gives records beyond the library's numbers free ones; `original` holds what each was.
+/// Gives free numbers to records beyond the library's range; `original` holds what each was.
 pub fn within_reach<'a>(text: Cow<'a, [u8]>, original: &mut HashMap<u64, u64>) -> Result<Cow<'a, [u8]>, String> {
     if !has_long_number(&text) {
         return Ok(text);

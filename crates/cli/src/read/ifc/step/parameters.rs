@@ -1,4 +1,4 @@
-//! The parameters of sweeps: which part of their line is meant, where the geometry library does not know.
+//! The parameters of sweeps: which part of the line is meant where the geometry library does not know.
 
 use super::document::{Document, Edits};
 use super::line::line_of;
@@ -6,7 +6,7 @@ use super::profiles::polyline;
 use super::record::Record;
 use super::value::{Value, real};
 
-/// Kind, and where directrix and start parameter stand.
+/// Kind, and the positions of directrix and start parameter.
 const KINDS: [(&str, usize, usize); 4] = [
     ("IFCSURFACECURVESWEPTAREASOLID", 2, 3),
     ("IFCFIXEDREFERENCESWEPTAREASOLID", 2, 3),
@@ -14,8 +14,8 @@ const KINDS: [(&str, usize, usize); 4] = [
     ("IFCSWEPTDISKSOLIDPOLYGONAL", 0, 3),
 ];
 
-/// Parameters 0…1 of several segments mean the first by the standard, the whole to those who write them, and so it is
-/// taken. What is trimmed otherwise is told, and written out where the library would draw the whole.
+/// Parameters 0…1 of several segments mean the first segment by the standard, but the whole line to those who write
+/// them; the whole line is taken. Other trims are reported, and written out where the library would draw the whole.
 pub fn take(
     document: &Document,
     free: &mut dyn Iterator<Item = u64>,
@@ -37,14 +37,14 @@ pub fn take(
     }
 }
 
-/// What is meant, and why it is said.
+/// What is meant, and why the user is told.
 struct Meant {
     part: Part,
     note: String,
 }
 
 enum Part {
-    /// As the library reads it.
+    /// The line as the library reads it.
     AsWritten,
     Whole,
     Points(Vec<Vec<f64>>),
@@ -89,7 +89,7 @@ impl Meant {
         }
     }
 
-    /// Its parameters count from its start in the unit of its trims; where those begin at zero both agree.
+    /// Its parameters count from its start in the unit of its trims; where those begin at zero, both agree.
     fn of_arc(trims: &[Value], basis: u64, ends: [Option<f64>; 2]) -> Option<Self> {
         let number = |i: usize| trims.get(i)?.list().iter().find_map(Value::number);
         let is_forth = trims.get(3).is_some_and(|v| v.is("T"));
@@ -162,7 +162,7 @@ fn is(document: &Document, id: u64, keyword: &str) -> bool {
     document.find(id).is_some_and(|r| document.is(r, keyword))
 }
 
-/// How many segments are listed in a slot of a curve.
+/// How many segments are listed in an argument of a curve.
 fn listed(document: &Document, curve: u64, slot: usize) -> usize {
     let values = document.find(curve).map(|r| document.values(r)).unwrap_or_default();
     values.get(slot).map_or(0, |v| v.list().len())

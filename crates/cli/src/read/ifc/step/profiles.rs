@@ -1,4 +1,4 @@
-//! Profiles that the geometry library does not know, or draws otherwise than the standard: written out as polygons.
+//! Profiles that the geometry library does not know, or draws differently from the standard: written out as polygons.
 
 use super::document::{Document, Edits};
 use super::record::Record;
@@ -7,7 +7,7 @@ use super::value::{Value, real};
 /// A point of a profile, in the file's unit.
 pub type Point = [f64; 2];
 
-/// Draws a profile by its numbers.
+/// Draws a profile from its numbers.
 pub type Outline = fn(&[f64]) -> Option<Vec<Point>>;
 
 /// Corners of an ellipse: its area comes out 0.04 % short.
@@ -60,7 +60,7 @@ fn z_shape(numbers: &[f64]) -> Option<Vec<Point>> {
     is_sound.then(|| rounded(&all))
 }
 
-/// A polygon whose corners are rounded; a radius that does not fit between its neighbours is left out.
+/// A polygon with rounded corners; a radius that does not fit between its neighbours is left out.
 pub fn rounded(corners: &[(Point, f64)]) -> Vec<Point> {
     let n = corners.len();
     let mut out = Vec::new();
@@ -119,7 +119,7 @@ pub fn closed(outline: &[Point], free: &mut dyn Iterator<Item = u64>) -> Option<
     polyline(outline.iter().chain(outline.first()).map(<[f64; 2]>::as_slice), free)
 }
 
-/// Against the clock; less than nothing with it.
+/// The signed area: positive counter-clockwise, negative clockwise.
 pub fn area(outline: &[Point]) -> f64 {
     let n = outline.len();
     (0..n).map(|i| (outline[i], outline[(i + 1) % n])).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>() / 2.0

@@ -6,7 +6,7 @@ use std::ops::Range;
 #[derive(Debug, Clone)]
 pub struct Record {
     pub id: u64,
-    /// From `#` to behind the semicolon.
+    /// From `#` to just after the semicolon.
     pub span: Range<usize>,
     /// Empty where an instance is of several types at once.
     pub keyword: Range<usize>,
@@ -14,7 +14,7 @@ pub struct Record {
     pub arguments: Range<usize>,
 }
 
-/// Walks over the records of a text; what is no record (header, section marks) is passed over.
+/// Iterates over the records of a text; anything else (header, section marks) is skipped.
 pub struct Records<'a> {
     text: &'a [u8],
     at: usize,
@@ -61,14 +61,14 @@ impl Iterator for Records<'_> {
     }
 }
 
-/// The number that stands here, and where it ends; one that is too large is the largest.
+/// The number at this position, and where it ends; one that is too large becomes the largest.
 pub fn number(text: &[u8], start: usize) -> Option<(u64, usize)> {
     let digits = text.get(start..)?.iter().take_while(|b| b.is_ascii_digit()).count();
     let end = start + digits;
     (digits > 0).then(|| (std::str::from_utf8(&text[start..end]).map_or(0, |s| s.parse().unwrap_or(u64::MAX)), end))
 }
 
-/// Behind white space and comments.
+/// The position after white space and comments.
 pub fn skip_blank(text: &[u8], mut at: usize) -> usize {
     loop {
         match text.get(at) {
@@ -79,19 +79,19 @@ pub fn skip_blank(text: &[u8], mut at: usize) -> usize {
     }
 }
 
-/// Behind the comment that starts here.
+/// The position after the comment that starts here.
 pub fn comment_end(text: &[u8], start: usize) -> usize {
     let inside = text.get(start + 2..).unwrap_or_default();
     inside.windows(2).position(|w| w == b"*/").map_or(text.len(), |n| start + n + 4)
 }
 
-/// Behind the string that starts here; a doubled quote is two strings side by side, which does no harm.
+/// The position after the string that starts here; a doubled quote is read as two adjacent strings, which does no harm.
 pub fn string_end(text: &[u8], start: usize) -> usize {
     let inside = text.get(start + 1..).unwrap_or_default();
     inside.iter().position(|&b| b == b'\'').map_or(text.len(), |n| start + n + 2)
 }
 
-/// Behind the next semicolon that stands in no string and no comment.
+/// The position after the next semicolon outside strings and comments.
 fn statement_end(text: &[u8], mut at: usize) -> usize {
     while let Some(&b) = text.get(at) {
         at = match b {

@@ -1,14 +1,14 @@
 //! Steel sections with radii or sizes that the geometry library leaves out: written as polygons; slopes of flanges are
-//! told.
+//! reported.
 
 use super::document::{Document, Edits};
 use super::profiles::{Outline, Point, placed, rounded, write};
 use super::value::{Value, real};
 
-/// Of a profile's numbers, behind its kind, name and position.
+/// Position of the first of a profile's numbers, after its kind, name and position.
 const FIRST: usize = 3;
 
-/// Where they have slopes.
+/// Positions of the slopes.
 const SLOPES: [(&str, &[usize]); 5] = [
     ("IFCISHAPEPROFILEDEF", &[6]),
     ("IFCASYMMETRICISHAPEPROFILEDEF", &[9, 11]),
@@ -46,7 +46,7 @@ pub fn write_out(
     equal_legs(document, edits);
 }
 
-/// An asymmetric I of IFC2x3 has a centre of gravity where later ones have radii.
+/// An asymmetric I section of IFC2x3 has a centre of gravity where later versions have radii.
 fn numbers(keyword: &str, values: &[Value]) -> Vec<f64> {
     const OF_IFC2X3: usize = 9;
     let mut numbers: Vec<f64> = values.iter().skip(FIRST).map(|v| v.number().unwrap_or(0.0)).collect();
@@ -114,7 +114,7 @@ fn slopes(document: &Document, notes: &mut Vec<(u64, String)>) {
     }
 }
 
-/// An L without a width has two legs of one length.
+/// An L section without a width has two legs of equal length.
 fn equal_legs(document: &Document, edits: &mut Edits) {
     for record in document.all("IFCLSHAPEPROFILEDEF") {
         let values = document.values(record);
@@ -130,7 +130,7 @@ mod tests {
     use super::super::profiles::area;
     use super::*;
 
-    /// Of a corner of radius one, taken from its square.
+    /// The area that a corner of radius one loses from its square.
     const CORNER: f64 = 1.0 - std::f64::consts::FRAC_PI_4;
 
     #[test]

@@ -3,7 +3,7 @@
 use super::document::{Document, Edits};
 use super::value::Value;
 
-/// Puts every placement that stands in the world itself into one turned by so many degrees about the vertical axis.
+/// Puts every placement that is relative to the world into one turned by this many degrees about the vertical axis.
 pub fn turned_text(text: &[u8], degrees: f64) -> Option<Vec<u8>> {
     let document = Document::new(text);
     let mut free = document.free_numbers();

@@ -7,7 +7,7 @@ use super::value::Value;
 
 const DEGREE: f64 = PI / 180.0;
 
-/// Metres of a unit of length.
+/// A unit of length in metres.
 pub fn metres(document: &Document, unit: u64) -> Option<f64> {
     factor(document, unit, 0)
 }
@@ -17,7 +17,7 @@ pub fn project_metres(document: &Document) -> Option<f64> {
     project_unit(document, "LENGTHUNIT")
 }
 
-/// Whether the project has a unit of length, be its factor what it may; one that depends on its context tells nothing.
+/// Whether the project has a unit of length, whatever its factor; a context-dependent unit does not count.
 pub fn names_length(document: &Document) -> bool {
     let record = unit_of(document, "LENGTHUNIT").and_then(|unit| document.find(unit));
     record.is_some_and(|r| !document.is(r, "IFCCONTEXTDEPENDENTUNIT"))
@@ -36,7 +36,7 @@ fn unit_of(document: &Document, kind: &str) -> Option<u64> {
     units.into_iter().find(is_kind)
 }
 
-/// What one of a unit is in SI.
+/// The value of a unit in SI.
 fn factor(document: &Document, unit: u64, depth: usize) -> Option<f64> {
     const PREFIXES: [(&str, f64); 10] = [
         ("GIGA", 1e9),
@@ -73,19 +73,19 @@ fn factor(document: &Document, unit: u64, depth: usize) -> Option<f64> {
 struct Votes {
     radians: usize,
     degrees: usize,
-    /// The largest angle that is more than a full turn in radians.
+    /// The largest of the angles that exceed a full turn in radians.
     beyond: Option<f64>,
 }
 
 impl Votes {
-    /// Revolutions go by a full turn at most; an arc from there on may end a turn later.
+    /// Revolutions make at most a full turn; an arc that starts there may end a turn later.
     fn angle(&mut self, angle: f64) {
         if angle.abs() > TAU + 0.01 && self.beyond.is_none_or(|b| b < angle.abs()) {
             self.beyond = Some(angle.abs());
         }
     }
 
-    /// An angle that is a part of a turn in radians, but no round number of degrees.
+    /// An angle that is a simple fraction of a turn in radians, but no round number of degrees.
     fn part_of_turn(&mut self, angle: f64) {
         let parts = angle.abs() / (PI / 12.0);
         self.radians += usize::from((0.5..24.5).contains(&parts) && (parts - parts.round()).abs() < 1e-5);
@@ -97,7 +97,7 @@ impl Votes {
     }
 }
 
-/// Radians of the unit that angles are written in, where it is not the one that the file tells, and why.
+/// The unit in which angles are written, in radians, where it is not the one that the file declares, and why.
 pub fn mended_angle(document: &Document) -> Option<(f64, String)> {
     let told = project_unit(document, "PLANEANGLEUNIT");
     let votes = votes(document);
@@ -143,7 +143,7 @@ fn votes(document: &Document) -> Votes {
     votes
 }
 
-/// The ends of an arc: their points tell what their angles are in.
+/// The ends of an arc, whose points reveal the unit of its angles.
 fn arc(document: &Document, values: &[Value], votes: &mut Votes) {
     let Some(conic) = values.first().and_then(|v| Conic::read(document, v.reference()?)) else { return };
     for trim in values.iter().skip(1).take(2) {
@@ -163,7 +163,7 @@ fn arc(document: &Document, values: &[Value], votes: &mut Votes) {
     }
 }
 
-/// A circle or an ellipse in its plane; those of three dimensions only where they are placed upright.
+/// A circle or an ellipse in its plane; three-dimensional ones only where they are placed upright.
 struct Conic {
     centre: [f64; 2],
     axis: [f64; 2],

@@ -2,7 +2,7 @@
 
 use super::record::{comment_end, number, skip_blank, string_end};
 
-/// A STEP value; texts are as written, between their quotes or dots.
+/// A STEP value; texts are kept as written between their quotes or dots.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value<'a> {
     /// `$` or `*`.
@@ -13,7 +13,7 @@ pub enum Value<'a> {
     /// `.NAME.`, without its dots.
     Enumerated(&'a [u8]),
     List(Vec<Value<'a>>),
-    /// `IFCPARAMETERVALUE(1.)`: what stands in it.
+    /// `IFCPARAMETERVALUE(1.)`: the value inside.
     Typed(&'a [u8], Vec<Value<'a>>),
 }
 
@@ -22,7 +22,7 @@ impl<'a> Value<'a> {
         if let Self::Reference(id) = self { Some(*id) } else { None }
     }
 
-    /// The number, be it within a type.
+    /// The number, even if wrapped in a type.
     pub fn number(&self) -> Option<f64> {
         match self {
             Self::Number(x) => Some(*x),
@@ -44,10 +44,10 @@ impl<'a> Value<'a> {
     }
 }
 
-/// No file nests deeper; a hostile one would overflow the stack.
+/// Deepest nesting: no file nests deeper, and a hostile one would overflow the stack.
 const MAX_DEPTH: usize = 64;
 
-/// All values of an argument list; `None` where it is none.
+/// All values of an argument list; `None` where the text is not one.
 pub fn values(arguments: &[u8]) -> Option<Vec<Value<'_>>> {
     let mut parser = Parser { text: arguments, at: 0 };
     let all = parser.list(0)?;
@@ -60,7 +60,7 @@ struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
-    /// Up to a closing bracket, which stays, or to the end.
+    /// Reads up to a closing bracket, which is not consumed, or to the end.
     fn list(&mut self, depth: usize) -> Option<Vec<Value<'a>>> {
         let mut all = Vec::new();
         loop {
@@ -140,7 +140,7 @@ pub fn real(x: f64) -> String {
     format!("{x:?}").replace('e', "E")
 }
 
-/// Every `#number` of a text outside strings and comments: where it stands, and the number.
+/// Every `#number` of a text outside strings and comments: its position, and the number.
 pub fn references(text: &[u8], from: usize, mut each: impl FnMut(std::ops::Range<usize>, u64)) {
     let mut at = from;
     while let Some(&b) = text.get(at) {

@@ -1,5 +1,5 @@
-//! Bodies with cavities (IfcFacetedBrepWithVoids): the geometry library draws them without. Written as the outer body
-//! less each cavity, however its faces are turned.
+//! Bodies with cavities (IfcFacetedBrepWithVoids): the geometry library draws them without. They are written as the
+//! outer body less each cavity, whichever way its faces point.
 
 use super::document::{Document, Edits};
 use super::value::Value;

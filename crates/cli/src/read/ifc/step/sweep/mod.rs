@@ -50,7 +50,7 @@ pub fn is_needed(document: &Document) -> bool {
     KINDS.iter().any(|(keyword, _)| document.all(keyword).next().is_some())
 }
 
-/// Writes them out; what cannot be built stays as it is, with a note where the library's own may be wrong.
+/// Writes them out; what cannot be built stays as it is, with a note where the library's version may be wrong.
 pub fn write_out<'a>(text: Cow<'a, [u8]>, angle: Option<f64>, notes: &mut Vec<(u64, String)>) -> Cow<'a, [u8]> {
     let document = Document::new(&text);
     let mut free = document.free_numbers();
@@ -75,7 +75,7 @@ pub fn write_out<'a>(text: Cow<'a, [u8]>, angle: Option<f64>, notes: &mut Vec<(u
     if edits.is_empty() { text } else { Cow::Owned(edits.apply(&text)) }
 }
 
-/// A solid's surfaces, or what to doubt where the library has to build it.
+/// A solid's surfaces, or what is doubtful if the library has to build it.
 #[derive(Default)]
 pub struct Built {
     skins: Option<Vec<Skin>>,

@@ -6,10 +6,10 @@ use ifc_lite_geometry::{Point3, Vector3};
 const CORNER_COS: f64 = 0.94;
 /// A turn of this cosine or less goes back on itself.
 const BACK_COS: f64 = -0.98;
-/// Steps of a rounded corner, as many a radian.
+/// Steps of a rounded corner, per radian.
 const STEPS_PER_RADIAN: f64 = 8.0;
 
-/// Its points, without doubles, in the file's unit.
+/// Its points, without duplicates, in the file's unit.
 #[derive(Debug)]
 pub struct Path {
     pub points: Vec<Point3<f64>>,
@@ -54,13 +54,13 @@ impl Path {
         self.joints().filter(|&(a, b)| tangents[a].dot(&tangents[b]) <= CORNER_COS).count()
     }
 
-    /// Where it goes back on itself no profile can follow.
+    /// Whether it goes back on itself, where no profile can follow.
     pub fn goes_back(&self) -> bool {
         let tangents = self.tangents();
         self.joints().any(|(a, b)| tangents[a].dot(&tangents[b]) <= BACK_COS)
     }
 
-    /// With corners rounded; none where they leave no room for the arcs.
+    /// The line with rounded corners; `None` where there is no room for the arcs.
     pub fn rounded(self, radius: f64) -> Option<Self> {
         if radius <= 0.0 || self.is_closed {
             return Some(self);

@@ -1,4 +1,4 @@
-//! A profile along a line: where two segments meet it is cut at the plane between them.
+//! A profile along a line: where two segments meet, it is cut at the plane between them.
 
 use ifc_lite_geometry::{Point3, Vector3};
 
@@ -15,7 +15,7 @@ pub struct Run {
     pub is_closed: bool,
 }
 
-/// The rings along a line: one run, and more where the profile is turned from one segment to the next. None where the
+/// The rings along a line: one run, or more where the profile is turned from one segment to the next. `None` where the
 /// profile would meet itself.
 pub fn mitred(section: &Section, path: &Path, roll: &Roll) -> Option<Vec<Run>> {
     if path.goes_back() {

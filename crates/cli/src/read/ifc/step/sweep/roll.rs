@@ -1,5 +1,5 @@
-//! How a profile is turned about the line it follows: its x axis lies along the normal of a surface, or along a
-//! direction, as far as that is square to the line (ISO 10303-42, surface_curve_swept_area_solid).
+//! How a profile is turned about the line that it follows: its x axis lies along the normal of a surface, or along a
+//! direction, as far as that is perpendicular to the line (ISO 10303-42, surface_curve_swept_area_solid).
 
 use ifc_lite_geometry::{Point3, Vector3};
 
@@ -19,7 +19,7 @@ pub enum Roll {
 pub type Axes = [Vector3<f64>; 2];
 
 impl Roll {
-    /// The axes of every segment; none where the direction runs along the line.
+    /// The axes of every segment; `None` where the direction runs along the line.
     pub fn axes(&self, path: &Path) -> Option<Vec<Axes>> {
         let tangents = path.tangents();
         if matches!(self, Roll::Carried) {
@@ -43,8 +43,8 @@ fn square_to(tangent: &Vector3<f64>, normal: &Vector3<f64>) -> Option<Axes> {
     Some([x, tangent.cross(&x)])
 }
 
-/// Mirrored at the plane between two segments a direction across the one is a direction across the other, without
-/// a twist (Wang et al. 2008, "Computation of rotation minimizing frames").
+/// Mirrored at the plane between two segments, a direction perpendicular to one becomes a direction perpendicular to
+/// the other, without a twist (Wang et al. 2008, "Computation of rotation minimizing frames").
 fn carried(path: &Path, tangents: &[Vector3<f64>]) -> Vec<Axes> {
     let start = tangents[0];
     let helper = if start.z.abs() < 0.9 { Vector3::z() } else { Vector3::x() };

@@ -10,9 +10,9 @@ use super::super::profiles::{CIRCLE_CORNERS, ellipse};
 #[derive(Debug, Clone)]
 pub struct Section {
     pub points: Vec<Point2<f64>>,
-    /// The outer loop against the clock, then the holes with it.
+    /// The outer loop counter-clockwise, then the holes clockwise.
     pub loops: Vec<Range<usize>>,
-    /// Against the clock.
+    /// Counter-clockwise.
     pub triangles: Vec<[usize; 3]>,
 }
 
@@ -48,7 +48,7 @@ impl Section {
         is_sound.then_some(Self { points, loops, triangles })
     }
 
-    /// Loops of as many points at other places.
+    /// The same loops with their points at other places.
     pub fn at(&self, points: &[Point2<f64>]) -> Option<Self> {
         let mut rings = self.loops.iter().map(|range| points[range.clone()].to_vec());
         let outer = rings.next()?;

@@ -15,7 +15,7 @@ use super::skin::Skin;
 use super::turned::Axis;
 use super::{Built, Kind, taper, turned};
 
-/// A solid of more points than this is the library's.
+/// A solid of more points than this is left to the library.
 const MOST_POINTS: usize = 1 << 20;
 /// Degrees of a revolution from ring to ring.
 const STEP_DEGREES: f64 = 7.5;
@@ -52,7 +52,7 @@ impl<'a> Shapes<'a> {
         Some(Built { skins, doubt: doubt(&path) })
     }
 
-    /// Directrix, Radius, InnerRadius, StartParam, EndParam; smooth ones are the library's.
+    /// Directrix, Radius, InnerRadius, StartParam, EndParam; smooth ones are left to the library.
     fn disk(&mut self, solid: &DecodedEntity, fillet: Option<f64>) -> Option<Built> {
         let path = self.path(solid, 0)?;
         if fillet.is_none() && path.corners() == 0 {
@@ -85,7 +85,7 @@ impl<'a> Shapes<'a> {
         Some(vec![Matrix4::identity(), Matrix4::new_translation(&(way * solid.get_float(3)?))])
     }
 
-    /// SweptArea, Position, Axis, Angle; what is no more than a turn. A profile beside its axis only.
+    /// SweptArea, Position, Axis, Angle, up to a whole turn. Only for a profile beside its axis.
     fn revolved(&mut self, solid: &DecodedEntity) -> Option<Built> {
         let sections = self.sections(solid, 0)?;
         let (axis, angle) = (self.axis(solid)?, self.angle(solid)?);
@@ -116,7 +116,7 @@ impl<'a> Shapes<'a> {
         Some(Axis { origin: axis.location.into(), along })
     }
 
-    /// Radians.
+    /// Angle in radians.
     fn angle(&self, solid: &DecodedEntity) -> Option<f64> {
         Some(solid.get_float(3)? * self.0.radians)
     }

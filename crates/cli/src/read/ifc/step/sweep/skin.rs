@@ -8,15 +8,15 @@ use super::super::value::real;
 use super::rings::Ring;
 use super::section::Section;
 
-/// A closed surface, its triangles against the clock from outside.
+/// A closed surface, its triangles counter-clockwise seen from outside.
 pub struct Skin {
     pub points: Vec<Point3<f64>>,
     pub triangles: Vec<[usize; 3]>,
 }
 
 impl Skin {
-    /// Through rings from one section to another of as many points, capped by them unless the last ring is joined to
-    /// the first.
+    /// The surface through rings from one section to another with the same number of points, capped by the sections
+    /// unless the last ring is joined to the first.
     pub fn new([start, end]: [&Section; 2], rings: &[Ring], is_closed: bool) -> Self {
         let (size, count) = (start.points.len(), rings.len());
         let mut triangles = Vec::new();
@@ -52,7 +52,7 @@ impl Skin {
         self
     }
 
-    /// All of them as one IfcTriangulatedFaceSet, and its list of points.
+    /// All surfaces as one IfcTriangulatedFaceSet, and its list of points.
     pub fn text(skins: &[Self], id: u64, list: u64) -> String {
         let (mut points, mut triangles, mut first) = (String::new(), String::new(), 1);
         for skin in skins {

@@ -1,11 +1,11 @@
-//! From one profile to another of as many corners.
+//! From one profile to another with the same number of corners.
 
 use ifc_lite_geometry::{Matrix4, Point2, Point3};
 
 use super::section::Section;
 use super::skin::Skin;
 
-/// The solid between two profiles that is moved step by step; none where their loops have different numbers of corners.
+/// The solid between two profiles, moved step by step; `None` where their loops have different numbers of corners.
 pub fn skin(start: &Section, end: &Section, moves: &[Matrix4<f64>]) -> Option<Skin> {
     let pairs = paired(start, end)?;
     let end = start.at(&pairs.iter().map(|p| p[1]).collect::<Vec<_>>())?;
@@ -32,8 +32,8 @@ fn paired(start: &Section, end: &Section) -> Option<Vec<[Point2<f64>; 2]>> {
     Some(pairs)
 }
 
-/// By how many corners the second begins later, both made of one size about their middles. The corners as they are
-/// written stand where others are no better.
+/// By how many corners the second begins later, with both scaled to one size about their centres. The corners are
+/// matched as written unless another match is better.
 fn best_shift(from: &[Point2<f64>], to: &[Point2<f64>]) -> usize {
     let (from, to) = (of_one_size(from), of_one_size(to));
     let n = from.len();

@@ -27,7 +27,7 @@ fn volume(skins: &[Skin]) -> f64 {
     skins.iter().map(Skin::volume).sum()
 }
 
-/// Every edge is met by its opposite once.
+/// Every edge is matched by its reverse once.
 fn is_closed(skin: &Skin) -> bool {
     let edges = || skin.triangles.iter().flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
     let all: std::collections::HashSet<_> = edges().collect();

@@ -6,7 +6,7 @@ use super::rings::Ring;
 use super::section::Section;
 use super::skin::Skin;
 
-/// As parts of the profile's reach: so near to the axis a point lies on it.
+/// As a fraction of the profile's reach: a point this near to the axis lies on it.
 const ON_AXIS: f64 = 1e-6;
 
 pub struct Axis {
@@ -15,8 +15,8 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// How far each point of a profile lies on one side of the axis; none where the profile lies on both sides, or the
-    /// axis not in its plane.
+    /// How far each point of a profile lies on one side of the axis; `None` where the profile lies on both sides, or
+    /// the axis is not in its plane.
     fn off(&self, section: &Section) -> Option<Vec<f64>> {
         let (o, a) = (self.origin, self.along);
         let off: Vec<f64> = section.points.iter().map(|p| (p.x - o.x) * a.y - (p.y - o.y) * a.x).collect();
