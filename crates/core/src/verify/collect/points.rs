@@ -43,8 +43,8 @@ impl Collector {
                 let view = View::new(patch.header().clone(), &[beam]);
                 // Only what a ray passed through: its end was added above.
                 let seen_through = |outcome| match outcome {
-                    BeamOutcome::SeenThrough(weight) => Some(BeamOutcome::SeenThrough(weight * share)),
-                    BeamOutcome::Surface(..) => None,
+                    BeamOutcome::SeenThrough { weight } => Some(BeamOutcome::SeenThrough { weight: weight * share }),
+                    BeamOutcome::Surface { .. } => None,
                 };
                 self.absorb_view::<M>(&view, Place::At(*camera), seen_through, interrupt)?;
             }

@@ -10,10 +10,10 @@ use crate::verify::aim::{AimedAt, Crossing, Foot, foot};
 /// What one beam met.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BeamOutcome {
-    /// A surface this far (fixed-point) in front of the face, measured with this weight.
-    Surface(i32, f32),
+    /// A surface so far in front of the face (fixed point; towards the scanner), worth this share of a bright beam.
+    Surface { deviation: i32, share: f32 },
     /// Empty space where the face is drawn, with this weight.
-    SeenThrough(f32),
+    SeenThrough { weight: f32 },
 }
 
 /// The beams that tell something, in the cells of an angular grid by the place that they tell of.
@@ -67,11 +67,11 @@ impl BeamOutcomes {
         let zeros = || vec![0f32; all.len()];
         let mut places_scanner = [zeros(), zeros(), zeros()];
         let mut normals = vec![[0.0; 3]; all.len()];
-        let mut outcomes = vec![BeamOutcome::SeenThrough(0.0); all.len()];
+        let mut outcomes = vec![BeamOutcome::SeenThrough { weight: 0.0 }; all.len()];
         for (e, slot) in all.iter().zip(slots) {
             let slot = slot as usize;
-            for k in 0..3 {
-                places_scanner[k][slot] = e.place_scanner[k] as f32;
+            for (all, one) in places_scanner.iter_mut().zip(&e.place_scanner) {
+                all[slot] = *one as f32;
             }
             normals[slot] = e.normal.map(|c| c as f32).into();
             outcomes[slot] = e.outcome;
@@ -99,11 +99,13 @@ struct Classifier<'a> {
 impl Classifier<'_> {
     /// What is left of an outcome where other objects are known.
     fn of_this_object(&self, crossing: &Crossing, outcome: BeamOutcome) -> Option<BeamOutcome> {
-        let (Some(others), BeamOutcome::Surface(d, _)) = (self.aimed.others, outcome) else { return Some(outcome) };
-        match ownership(f64::from(d) / DEVIATION, others.distance(crossing.slot as usize), self.noise) {
+        let (Some(others), BeamOutcome::Surface { deviation, .. }) = (self.aimed.others, outcome) else {
+            return Some(outcome);
+        };
+        match ownership(f64::from(deviation) / DEVIATION, others.distance(crossing.slot as usize), self.noise) {
             Ownership::MayBeOwn => Some(outcome),
             Ownership::Hides => None,
-            Ownership::SeenThrough => Some(BeamOutcome::SeenThrough(1.0)),
+            Ownership::SeenThrough => Some(BeamOutcome::SeenThrough { weight: 1.0 }),
         }
     }
 
@@ -120,7 +122,7 @@ impl Classifier<'_> {
         let aimed_scanner = direction * t;
         if range.is_infinite() {
             let weight = if t <= model.no_return_range { model.no_return_weight } else { 0.0 };
-            let empty = || self.at(aimed_scanner, normal, BeamOutcome::SeenThrough(weight as f32));
+            let empty = || self.at(aimed_scanner, normal, BeamOutcome::SeenThrough { weight: weight as f32 });
             return if weight > 0.0 { empty() } else { None };
         }
         let deviation = (t - range) * cos;
@@ -128,7 +130,7 @@ impl Classifier<'_> {
             return None;
         }
         if deviation < -model.band_behind() {
-            return self.at(aimed_scanner, normal, BeamOutcome::SeenThrough(1.0));
+            return self.at(aimed_scanner, normal, BeamOutcome::SeenThrough { weight: 1.0 });
         }
         let share = self.share(slot);
         let at_foot = self.at_foot(crossing, &normal, share);
@@ -163,5 +165,5 @@ impl Classifier<'_> {
 }
 
 fn met(deviation: f64, share: f32) -> BeamOutcome {
-    BeamOutcome::Surface((deviation * DEVIATION).round() as i32, share)
+    BeamOutcome::Surface { deviation: (deviation * DEVIATION).round() as i32, share }
 }

@@ -28,7 +28,7 @@ pub struct Surface;
 #[derive(Debug)]
 pub struct SurfaceBeams<'v> {
     view: &'v View,
-    outcomes: BeamOutcomes,
+    met: BeamOutcomes,
     /// Of the steepest admitted incidence.
     min_cos: f64,
 }
@@ -56,12 +56,12 @@ impl BeamModel for Surface {
         model: &'v EvidenceModel,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
     ) -> Option<SurfaceBeams<'v>> {
-        let outcomes = BeamOutcomes::of(view, aimed, model, keep)?;
-        Some(SurfaceBeams { view, outcomes, min_cos: model.max_incidence.cos() })
+        let met = BeamOutcomes::of(view, aimed, model, keep)?;
+        Some(SurfaceBeams { view, met, min_cos: model.max_incidence.cos() })
     }
 
     fn beside_cone(beams: &SurfaceBeams<'_>) -> f64 {
-        beams.outcomes.widest
+        beams.met.widest
     }
 
     fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: &mut Sums) {
@@ -107,7 +107,7 @@ impl BeamModel for Surface {
 }
 
 fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: &mut Sums) {
-    let SurfaceBeams { view, outcomes, .. } = beams;
+    let SurfaceBeams { view, met, .. } = beams;
     let range_squared = offset_scanner.norm_squared();
     let Some(uv) = view.project(offset_scanner) else { return };
     let step = f64::from(view.header.step);
@@ -117,17 +117,17 @@ fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: 
     let sight = (offset_scanner / range_squared.sqrt()).map(|c| c as f32);
     let normal = normal.map(|c| c as f32);
     let per_spacing = (1.0 / (step * step * range_squared)) as f32;
-    let [xs, ys, zs] = &outcomes.places_scanner;
-    for slots in outcomes.slots_in([uv[0] - radius, uv[1] - radius], [uv[0] + radius, uv[1] + radius]) {
+    let [xs, ys, zs] = &met.places_scanner;
+    for slots in met.slots_in([uv[0] - radius, uv[1] - radius], [uv[0] + radius, uv[1] + radius]) {
         for slot in slots {
             let v = nalgebra::Vector3::new(xs[slot] - here.x, ys[slot] - here.y, zs[slot] - here.z);
             let along = v.dot(&sight);
             let lateral_squared = (v.norm_squared() - along * along).max(0.0);
             let across_squared = lateral_squared * per_spacing;
             if is_within(across_squared) {
-                let there = nalgebra::Vector3::from(outcomes.normals[slot]);
+                let there = nalgebra::Vector3::from(met.normals[slot]);
                 if goes_on(v.dot(&normal).abs(), lateral_squared, there.dot(&normal)) {
-                    add(outcomes.outcomes[slot], weight(across_squared), sums);
+                    add(met.outcomes[slot], weight(across_squared), sums);
                 }
             }
         }
@@ -135,15 +135,15 @@ fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: 
 }
 
 #[inline(always)]
-fn add(outcome: BeamOutcome, weight: i64, sums: &mut Sums) {
-    match outcome {
-        BeamOutcome::Surface(d, share) => {
-            sums.add_beam(SurfaceSums::met(shared(weight, share), i64::from(d), 0).parts())
-        }
-        BeamOutcome::SeenThrough(share) => sums.add_beam(SurfaceSums::passed(shared(weight, share)).parts()),
-    }
+fn add(outcome: BeamOutcome, kernel: i64, sums: &mut Sums) {
+    let one = match outcome {
+        BeamOutcome::Surface { deviation, share } => SurfaceSums::met(shared(kernel, share), i64::from(deviation), 0),
+        BeamOutcome::SeenThrough { weight } => SurfaceSums::passed(shared(kernel, weight)),
+    };
+    sums.add_beam(one.parts());
 }
 
+/// A part of a weight in fixed point.
 #[inline(always)]
 fn shared(weight: i64, share: f32) -> i64 {
     if share == 1.0 { weight } else { (weight as f64 * f64::from(share)).round() as i64 }
