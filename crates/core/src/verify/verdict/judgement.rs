@@ -76,8 +76,8 @@ impl Evidence {
 
 #[cfg(test)]
 mod tests {
-    use super::super::counts::Counts;
     use super::*;
+    use crate::verify::Counts;
 
     /// An object of 1000 samples in two surfaces, half of them seen, all of these in place.
     fn in_place() -> Tally {
