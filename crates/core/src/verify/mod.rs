@@ -1,54 +1,32 @@
-//! What the beams of many stations say about a solid, and the verdict that follows.
+//! What the beams of many stations tell of a solid, and the verdict that follows.
 //!
-//! [`EvidenceModel`] holds the parameters. [`Samples`] are spread over the solid's faces. A [`Collector`] takes
-//! scan patches one by one: it finds where each beam would cross the solid, and adds what that beam saw there to
-//! the sums of the samples around ([`Sums`]). A [`Verifier`] does so for many solids at once. The result is
-//! [`Evidence`], a value that can be stored, added up and asked: per sample for its belief, per object for a
-//! [`Summary`].
+//! Five rooms after the stages of the method, and the models that they share. A room uses only those before it:
+//!
+//! * `aim`: where the beams of a patch would meet a solid that was made ready (`Target`);
+//! * `model`: the parameters ([`EvidenceModel`]), and by kind of model how beams become integer sums and what these
+//!   state;
+//! * `evidence`: what is stored, [`Samples`] on the solid and the sums of each [`Station`] ([`Evidence`]);
+//! * `collect`: adding patches to the evidence of one solid ([`Collector`]) or of many ([`Verifier`]);
+//! * `surface`: from evidence to `Observations` of all seen samples, and the `FittedObject` that was built;
+//! * `verdict`: from there to a `Judgement` at one tolerance, and to a [`Summary`].
+//!
+//! So the data goes: solid + model → `Target` → [`Evidence`] → `Observations` → `FittedObject` → `Judgement`.
+//!
+//! Positions are named by their frame: `_world`, `_local` (from the evidence's reference point), `_scanner` (from where
+//! the beams of a patch start). Deviations are metres along the outward normal of the drawn face, but in stored sums
+//! towards the scanner.
 
-mod belief;
-mod built_surface;
-mod claims;
+mod aim;
 mod collect;
-mod collect_points;
-mod consensus;
-mod contribution;
-mod crossing;
-mod encounter;
 mod evidence;
-mod evidence_bytes;
-mod explain;
-mod face;
-mod foot;
-mod forecast;
-mod intensity;
-mod judgement;
 mod model;
-mod observe;
-mod point_index;
-mod ray_sums;
-mod reading;
-mod sample;
-mod shift;
-mod summary;
-mod sums;
-mod surface_points;
-mod surface_sums;
-mod target;
-mod unpacked;
-mod verifier;
+mod surface;
+mod verdict;
 
-pub use belief::SampleBelief;
-pub use collect::Collector;
-pub use contribution::Contribution;
-pub use evidence::{Evidence, EvidenceHeader, Place, Station};
-pub use face::{Counts, FaceReport};
-pub use forecast::PlannedStation;
-pub use intensity::IntensityNoise;
-pub use model::{EvidenceModel, ModelKind};
-pub use sample::Samples;
-pub use shift::Shift;
-pub use summary::{Shares, Summary, Verdict, VerdictRule};
-pub use sums::Sums;
-pub use surface_points::SurfacePoints;
-pub use verifier::{Threads, Verifier};
+pub use collect::{Collector, Threads, Verifier};
+pub use evidence::{Evidence, EvidenceHeader, Place, Samples, Station};
+pub use model::{EvidenceModel, IntensityNoise, ModelKind};
+pub use surface::Shift;
+pub use verdict::{
+    Contribution, Counts, FaceReport, PlannedStation, SampleBelief, Shares, Summary, Verdict, VerdictRule,
+};

@@ -1,0 +1,197 @@
+//! Where the beams of a patch would cross a solid.
+//!
+//! Each beam is asked against the drawn geometry before it is asked against any sample: a triangle is projected
+//! into the patch's range image and tested only against the beams under it; the nearest crossing wins. A beam so
+//! tells of the one place where it should have met the object, whether at an edge, in an opening, at a
+//! curved face or at a thin wall.
+
+use super::target::Target;
+use super::triangle::Triangle;
+use crate::geometry::Vec3;
+use crate::scan::View;
+use crate::{Interrupt, Result, poll};
+
+/// Where one beam crosses the solid first.
+#[derive(Debug, Clone, Copy)]
+pub struct Crossing {
+    /// The beam, by slot of the view.
+    pub slot: u32,
+    /// The triangle crossed.
+    pub triangle: u32,
+    /// Distance from the origin, metres.
+    pub distance: f64,
+    /// Whether the triangle is seen from behind.
+    from_behind: bool,
+}
+
+impl Crossing {
+    /// Unit normal of the crossed triangle, towards the scanner.
+    pub fn normal(&self, target: &Target) -> Vec3 {
+        self.turned(target, self.triangle)
+    }
+
+    /// Normal of another triangle, on the side from which the beam sees its own.
+    pub fn turned(&self, target: &Target, triangle: u32) -> Vec3 {
+        let normal = target.triangles[triangle as usize].normal;
+        if self.from_behind { -normal } else { normal }
+    }
+}
+
+/// By slot, the nearest crossing found so far.
+struct Nearest {
+    distance: Vec<f64>,
+    triangle: Vec<u32>,
+    from_behind: Vec<bool>,
+}
+
+/// The first crossing of every beam that crosses within `reach` metres of the origin, by slot.
+pub fn crossings(target: &Target, view: &View, reach: f64, interrupt: Interrupt) -> Result<Vec<Crossing>> {
+    let origin = view.header.origin;
+    let concerns = |centre_world: &Vec3, radius: f64| {
+        let centre_scanner = centre_world - origin;
+        centre_scanner.norm() - radius <= reach && view.header.cone.meets_ball(&centre_scanner, radius, 0.0)
+    };
+    let mut runs = target.chunks(concerns).peekable();
+    if runs.peek().is_none() {
+        return Ok(Vec::new());
+    }
+    let mut nearest = Nearest::none(view.len());
+    for run in runs {
+        poll(interrupt)?;
+        for t in run {
+            nearest.cross(target, t, view, reach);
+        }
+    }
+    Ok(nearest.found().collect())
+}
+
+impl Nearest {
+    fn none(beams: usize) -> Self {
+        Self {
+            distance: vec![f64::INFINITY; beams],
+            triangle: vec![Triangle::NONE; beams],
+            from_behind: vec![false; beams],
+        }
+    }
+
+    fn found(&self) -> impl Iterator<Item = Crossing> + '_ {
+        let crossing = |slot: usize| Crossing {
+            slot: slot as u32,
+            triangle: self.triangle[slot],
+            distance: self.distance[slot],
+            from_behind: self.from_behind[slot],
+        };
+        (0..self.triangle.len()).filter(|s| self.triangle[*s] != Triangle::NONE).map(crossing)
+    }
+
+    /// Takes the beams for which triangle `t` is nearer than all before.
+    fn cross(&mut self, target: &Target, t: usize, view: &View, reach: f64) {
+        let triangle = &target.triangles[t];
+        let corners_scanner = triangle.corners.map(|p| p - view.header.origin);
+        let [a, b, c] = &corners_scanner;
+        let height = a.dot(&triangle.normal);
+        if height == 0.0 || (height > 0.0 && !target.two_sided) {
+            return; // edge on, or seen from behind
+        }
+        // Turned so that the normal looks at the scanner; a beam inside the triangle then has all three triple
+        // products ≤ 0. Triangles that share an edge compute it from the same two points, so no beam slips through.
+        let side = if height < 0.0 { 1.0 } else { -1.0 };
+        let edges = [a.cross(b) * side, b.cross(c) * side, c.cross(a) * side];
+        let normal = triangle.normal * side;
+        let (min, max) = image_rectangle(view, &corners_scanner);
+        for slots in view.slots_in(min, max) {
+            for slot in slots {
+                let d = &view.directions[slot];
+                if d.dot(&edges[0]) > 0.0 || d.dot(&edges[1]) > 0.0 || d.dot(&edges[2]) > 0.0 {
+                    continue;
+                }
+                let slope = d.dot(&normal);
+                let distance = height * side / slope;
+                if slope < 0.0 && distance < self.distance[slot] && distance <= reach {
+                    self.distance[slot] = distance;
+                    self.triangle[slot] = t as u32;
+                    self.from_behind[slot] = side < 0.0;
+                }
+            }
+        }
+    }
+}
+
+/// The rectangle in the image around what has these corners (from the scanner, metres); the whole image when one is
+/// beside or behind it.
+pub fn image_rectangle(view: &View, corners_scanner: &[Vec3]) -> ([f64; 2], [f64; 2]) {
+    let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for corner in corners_scanner {
+        let Some(uv) = view.project(corner) else {
+            return ([f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
+        };
+        for k in 0..2 {
+            min[k] = min[k].min(uv[k] - 1e-9);
+            max[k] = max[k].max(uv[k] + 1e-9);
+        }
+    }
+    (min, max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::NEVER;
+    use crate::geometry::Solid;
+    use crate::scan::{Beam, Patch};
+    use rand::{Rng, SeedableRng};
+
+    /// Brute force: Möller-Trumbore on every triangle, front faces only.
+    fn first_hit(solid: &Solid, origin: &Vec3, d: &Vec3) -> f64 {
+        let mut best = f64::INFINITY;
+        for t in 0..solid.triangles().len() {
+            let [a, b, c] = solid.corners(t);
+            let (e1, e2) = (b - a, c - a);
+            let p = d.cross(&e2);
+            let det = e1.dot(&p);
+            if det <= 1e-12 {
+                continue;
+            }
+            let s = origin - a;
+            let (u, q) = (s.dot(&p) / det, s.cross(&e1));
+            let (v, t) = (d.dot(&q) / det, e2.dot(&q) / det);
+            if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 {
+                best = best.min(t);
+            }
+        }
+        best
+    }
+
+    #[test]
+    fn equals_brute_force() {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
+        let solids = [
+            Solid::cuboid([3.0, -1.0, -1.0], [3.2, 1.0, 1.0]).unwrap(),
+            Solid::cuboid([-2.0; 3], [20.0, 2.0, 2.0]).unwrap(),
+            Solid::cuboid([-9.0, -9.0, -1.7], [9.0, 9.0, -1.5]).unwrap(),
+            Solid::cylinder([4.0, 0.3, -1.5], 0.4, 3.0, 48).unwrap(),
+        ];
+        let origin = Vec3::new(0.1, 0.2, 0.3);
+        let mut crossed = 0;
+        for solid in &solids {
+            let beams: Vec<Beam> = (0..3000)
+                .map(|_| Beam {
+                    offset: Vec3::new(5.0, rng.random_range(-3.0..3.0), rng.random_range(-4.0..3.0)),
+                    returned: true,
+                })
+                .collect();
+            let bytes = Patch::encode(0, origin, 2e-2, 1e-4, &beams).unwrap().to_bytes();
+            let (header, content) = Patch::beams_of(&bytes).unwrap();
+            let view = View::new(header, &content.beams);
+            let got = crossings(&Target::new(solid, NEVER).unwrap(), &view, f64::INFINITY, NEVER).unwrap();
+            for slot in 0..view.len() {
+                let want = first_hit(solid, &origin, &view.directions[slot]);
+                let found = got.binary_search_by_key(&(slot as u32), |c| c.slot).map(|i| got[i].distance);
+                let got = found.unwrap_or(f64::INFINITY);
+                assert!(got == want || (got - want).abs() < 1e-9);
+                crossed += usize::from(want.is_finite());
+            }
+        }
+        assert!(crossed > 2000, "{crossed}");
+    }
+}

@@ -1,0 +1,99 @@
+//! A solid made ready for beams: its triangles, who their neighbours are, and balls to cull them by.
+
+use super::triangle::Triangle;
+use crate::geometry::{Aabb, Adjacency, BLUNT_EDGE_COS, Closedness, Solid, Vec3};
+use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
+
+/// Triangles of one culling chunk.
+const CHUNK: usize = 32;
+/// Corners nearer to each other than this are one, metres.
+const SAME_CORNER_M: f64 = 1e-6;
+
+/// A solid made ready to be crossed. World metres.
+#[derive(Debug)]
+pub struct Target {
+    pub triangles: Vec<Triangle>,
+    /// A ball around each run of [`CHUNK`] triangles.
+    chunks: Vec<Ball>,
+    /// The faces are seen from both sides (an open surface).
+    pub two_sided: bool,
+}
+
+#[derive(Debug)]
+struct Ball {
+    centre: Vec3,
+    radius: f64,
+}
+
+impl Target {
+    /// Sorts the triangles with an area into chunks of neighbours.
+    pub fn new(solid: &Solid, interrupt: Interrupt) -> Result<Self> {
+        let mut triangles = Vec::new();
+        triangles.grow(solid.triangles().len(), interrupt)?;
+        let place = fill(solid, &mut triangles, interrupt)?;
+        let adjacency = Adjacency::of(solid, interrupt)?;
+        for t in 0..place.len() {
+            poll_now_and_then(t, interrupt)?;
+            let across = adjacency.neighbours(t).iter().map(|&u| place[u as usize]).filter(|u| *u != Triangle::NONE);
+            if place[t] != Triangle::NONE {
+                link(place[t] as usize, across, &mut triangles);
+            }
+        }
+        let mut chunks = Vec::with_capacity(triangles.len().div_ceil(CHUNK));
+        for chunk in triangles.chunks(CHUNK) {
+            poll_now_and_then(chunks.len(), interrupt)?;
+            chunks.push(Ball::around(chunk));
+        }
+        Ok(Self { triangles, chunks, two_sided: solid.closedness() == Closedness::Open })
+    }
+
+    /// The numbers of the triangles in each chunk whose ball (centre, radius; world metres) `concerns` lets through.
+    pub fn chunks(&self, concerns: impl Fn(&Vec3, f64) -> bool) -> impl Iterator<Item = std::ops::Range<usize>> {
+        let run = |i: usize| i * CHUNK..((i + 1) * CHUNK).min(self.triangles.len());
+        self.chunks.iter().enumerate().filter(move |(_, b)| concerns(&b.centre, b.radius)).map(move |(i, _)| run(i))
+    }
+}
+
+/// Adds the triangles with an area, without neighbours yet; for each of the solid's its place, or [`Triangle::NONE`].
+fn fill(solid: &Solid, triangles: &mut Vec<Triangle>, interrupt: Interrupt) -> Result<Vec<u32>> {
+    let count = solid.triangles().len();
+    room::<[u64; 4]>(count, interrupt)?;
+    let mut place = vec![Triangle::NONE; count];
+    for (t, place) in place.iter_mut().enumerate() {
+        poll_now_and_then(t, interrupt)?;
+        let corners = solid.corners(t);
+        let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+        if let Some(normal) = n.try_normalize(1e-12) {
+            *place = triangles.len() as u32;
+            triangles.push(Triangle { corners, normal, neighbours: [Triangle::NONE; 3] });
+        }
+    }
+    Ok(place)
+}
+
+/// Notes which neighbours go on across which edge.
+fn link(t: usize, across: impl Iterator<Item = u32>, triangles: &mut [Triangle]) {
+    for u in across {
+        let (here, there) = (&triangles[t], &triangles[u as usize]);
+        if here.normal.dot(&there.normal) < BLUNT_EDGE_COS {
+            continue;
+        }
+        let shared = |c: &Vec3| there.corners.iter().any(|d| (c - d).norm_squared() <= SAME_CORNER_M * SAME_CORNER_M);
+        let [a, b, c] = [0, 1, 2].map(|k| shared(&here.corners[k]));
+        let edge = match [a, b, c] {
+            [true, true, _] => 0,
+            [_, true, true] => 1,
+            [true, _, true] => 2,
+            _ => continue,
+        };
+        triangles[t].neighbours[edge] = u;
+    }
+}
+
+impl Ball {
+    fn around(triangles: &[Triangle]) -> Self {
+        let corners = || triangles.iter().flat_map(|t| t.corners.iter());
+        let centre = Aabb::around(corners()).centre();
+        Self { centre, radius: corners().map(|c| (c - centre).norm()).fold(0.0, f64::max) }
+    }
+}

@@ -1,0 +1,271 @@
+//! Adding patches to the evidence about one solid.
+
+use super::point_index::PointIndex;
+use crate::geometry::{Solid, Vec3};
+use crate::scan::{Header, Origins, View};
+use crate::verify::aim::{Aim, AimedAt, Beams, Claims, Crossing, OtherObjects, Target, Unpacked, crossings};
+use crate::verify::evidence::{BLOCK, Block, Evidence, Place, Samples};
+use crate::verify::model::{BeamModel, BeamOutcome, EvidenceModel, KERNEL_SPACINGS, Sums, with_model};
+use crate::{Interrupt, Result, poll};
+
+/// Evidence being collected: the value, and the solid made ready for beams.
+#[derive(Debug)]
+pub struct Collector {
+    pub(super) evidence: Evidence,
+    target: Target,
+    /// Ball (local centre, radius) around each block of samples.
+    balls: Vec<(Vec3, f64)>,
+    /// Made when the first point without a beam comes.
+    pub(super) point_index: Option<PointIndex>,
+    /// Displaced by its own thickness, no beam aimed at it meets it.
+    is_slim: bool,
+}
+
+impl Collector {
+    /// Spreads samples over the solid; no patch was added yet.
+    pub fn new(solid: &Solid, model: EvidenceModel, interrupt: Interrupt) -> Result<Self> {
+        Self::begin(solid, model, false, interrupt)
+    }
+
+    /// The same for one of many objects: beams that other objects explain are left out of all that comes.
+    pub(super) fn among_neighbours(solid: &Solid, model: EvidenceModel, interrupt: Interrupt) -> Result<Self> {
+        Self::begin(solid, model, true, interrupt)
+    }
+
+    fn begin(solid: &Solid, model: EvidenceModel, knows_neighbours: bool, interrupt: Interrupt) -> Result<Self> {
+        // What the value says of itself; beyond the parameter's range only on objects of 500 km².
+        let spacing = Samples::effective_spacing(solid, model.spacing).min(EvidenceModel::MAX_SPACING_M);
+        let evidence = Evidence::about(solid, EvidenceModel { spacing, ..model }, knows_neighbours, interrupt)?;
+        let (balls, is_slim) = (evidence.samples.balls(interrupt)?, evidence.samples.is_slim());
+        Ok(Self { evidence, target: Target::new(solid, interrupt)?, balls, point_index: None, is_slim })
+    }
+
+    /// The evidence so far.
+    pub fn evidence(&self) -> &Evidence {
+        &self.evidence
+    }
+
+    /// Gives up the evidence.
+    pub fn into_evidence(self) -> Evidence {
+        self.evidence
+    }
+
+    /// Adds evidence from another collector of the same solid.
+    pub fn merge(&mut self, other: &Evidence, interrupt: Interrupt) -> Result<()> {
+        self.evidence.merge(other, interrupt)
+    }
+
+    /// Whether a patch can tell anything of the solid, by its header alone.
+    pub fn concerns(&self, header: &Header) -> bool {
+        let bounds = &self.evidence.bounds;
+        match header.origins() {
+            Origins::One => {}
+            Origins::Each => return header.hull.overlaps(bounds),
+            Origins::Unknown => {
+                let reach = self.evidence.model.band_behind() + KERNEL_SPACINGS * f64::from(header.step);
+                return header.points.expanded(reach).overlaps(bounds);
+            }
+        }
+        let centre_scanner = bounds.centre() - header.origin;
+        let radius = 0.5 * bounds.diagonal();
+        centre_scanner.norm() - radius <= self.reach(header)
+            && header.cone.meets_ball(&centre_scanner, radius + self.kernel_radius(), margin(header))
+    }
+
+    /// Adds what a packed patch tells. Points without origin count for the face nearest to them, and never for empty
+    /// space.
+    pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
+        if !self.concerns(&Header::read(patch)?) {
+            return Ok(());
+        }
+        let patch = Unpacked::of(patch, self.evidence.model.intensity.is_some())?;
+        let aim = self.aim(&patch, interrupt)?;
+        self.absorb_aimed(&patch, &aim, None, interrupt)
+    }
+
+    /// Where the beams of a patch from one place would cross the solid.
+    pub(super) fn aim(&self, patch: &Unpacked, interrupt: Interrupt) -> Result<Aim> {
+        if !self.concerns(&patch.header) {
+            return Ok(Aim::Aside);
+        }
+        match &patch.beams {
+            Beams::FromOne(view) if with_model!(self.evidence.model.kind, M => M::CROSSES_SURFACE) => {
+                let crossings = crossings(&self.target, view, self.reach(&view.header), interrupt)?;
+                Ok(if crossings.is_empty() && !self.is_slim { Aim::Aside } else { Aim::At(crossings) })
+            }
+            _ => Ok(Aim::Unknown),
+        }
+    }
+
+    /// Claims for this solid, number `object`, the beams of the patch that met something near where it is drawn.
+    pub(super) fn claim(&self, patch: &Unpacked, aim: &Aim, object: u32, claims: &mut Claims) {
+        if let (Beams::FromOne(view), Aim::At(crossings)) = (&patch.beams, aim) {
+            claims.stake_all(view, &self.target, crossings, object);
+        }
+    }
+
+    /// Adds what a patch tells whose aim is known. What is rather one of the `others`' does not displace this one.
+    pub(super) fn absorb_aimed(
+        &mut self,
+        patch: &Unpacked,
+        aim: &Aim,
+        others: Option<OtherObjects<'_>>,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        with_model!(self.evidence.model.kind, M => self.absorb_with::<M>(patch, aim, others, interrupt))
+    }
+
+    fn absorb_with<M: BeamModel>(
+        &mut self,
+        patch: &Unpacked,
+        aim: &Aim,
+        others: Option<OtherObjects<'_>>,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        match (&patch.beams, aim) {
+            (_, Aim::Aside) => Ok(()),
+            (Beams::FromOne(view), Aim::At(crossings)) => {
+                let place = Place::At(view.header.origin);
+                self.absorb_crossings::<M>(view, crossings, place, others, Some, interrupt)?;
+                match others {
+                    Some(others) if self.is_slim => self.absorb_beside::<M>(view, crossings, others, interrupt),
+                    _ => Ok(()),
+                }
+            }
+            (Beams::FromOne(view), _) => self.absorb_view::<M>(view, Place::At(view.header.origin), Some, interrupt),
+            // Each place counts alone; together they are one station.
+            (Beams::FromMany(views), _) => {
+                for view in views {
+                    if self.concerns(&view.header) {
+                        self.absorb_view::<M>(view, Place::Many, Some, interrupt)?;
+                    }
+                }
+                Ok(())
+            }
+            (Beams::Points(points), _) => self.absorb_cloud::<M>(&patch.header, points, interrupt),
+        }
+    }
+
+    /// `keep` may take back some of what the beams met.
+    pub(super) fn absorb_view<M: BeamModel>(
+        &mut self,
+        view: &View,
+        place: Place,
+        keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        let crossings = if M::CROSSES_SURFACE {
+            crossings(&self.target, view, self.reach(&view.header), interrupt)?
+        } else {
+            Vec::new()
+        };
+        self.absorb_crossings::<M>(view, &crossings, place, None, keep, interrupt)
+    }
+
+    fn absorb_crossings<M: BeamModel>(
+        &mut self,
+        view: &View,
+        crossings: &[Crossing],
+        place: Place,
+        others: Option<OtherObjects<'_>>,
+        keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        let model = self.evidence.model;
+        let aimed = AimedAt { target: &self.target, crossings, others };
+        match M::beams(view, &aimed, &model, keep) {
+            Some(beams) => self.gather::<M>(view, place, &beams, interrupt),
+            None => Ok(()),
+        }
+    }
+
+    /// Adds the beams of a view to every sample that they may concern.
+    fn gather<M: BeamModel>(
+        &mut self,
+        view: &View,
+        place: Place,
+        beams: &M::Beams<'_>,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        let header = &view.header;
+        let (margin, reach, beside) = (margin(header), self.reach(header), M::beside_cone(beams));
+        let number = self.evidence.station_index(header.station, place);
+        let Evidence { samples, stations, .. } = &mut self.evidence;
+        let station = &mut stations[number];
+        let gathering =
+            Gathering::<'_, '_, M> { samples, scanner_local: header.origin - samples.reference, place, beams };
+        let mut buffer = [Sums::default(); BLOCK];
+        for (i, (block, (centre, radius))) in samples.blocks.iter().zip(&self.balls).enumerate() {
+            let offset = centre - gathering.scanner_local;
+            if offset.norm() - radius > reach
+                || gathering.looks_away(block, &offset, *radius)
+                || !header.cone.meets_ball(&offset, radius + beside, margin)
+            {
+                continue;
+            }
+            if i % 16 == 0 {
+                poll(interrupt)?;
+            }
+            let sums = &mut buffer[..block.len as usize];
+            sums.fill(Sums::default());
+            gathering.add_to(block, sums);
+            if sums.iter().any(|s| !s.is_empty()) {
+                station.add_block(i as u32, sums);
+                station.step = station.step.max(header.step);
+            }
+        }
+        stations.retain(|s| !s.blocks.is_empty());
+        self.evidence.check_size()
+    }
+
+    /// How far from the scanner a patch can tell anything, metres: behind its farthest return by the search band as a
+    /// beam at the steepest admitted incidence sees it.
+    fn reach(&self, header: &Header) -> f64 {
+        let model = &self.evidence.model;
+        let behind = model.band_in_front() / model.max_incidence.cos();
+        let returns = f64::from(header.range[1]) + behind + self.kernel_radius();
+        if header.flags & Header::FLAG_NO_RETURNS != 0 { returns.max(model.no_return_range) } else { returns }
+    }
+
+    fn kernel_radius(&self) -> f64 {
+        with_model!(self.evidence.model.kind, M => M::kernel_radius(&self.evidence.model))
+    }
+}
+
+/// Angle beyond the patch's cone within which a sample is still in the kernel of its beams, radians.
+fn margin(header: &Header) -> f64 {
+    KERNEL_SPACINGS * f64::from(header.step) + 1e-6
+}
+
+/// The samples of an object and the beams of a view, to be brought together block by block.
+struct Gathering<'a, 'v, M: BeamModel> {
+    samples: &'a Samples,
+    scanner_local: Vec3,
+    place: Place,
+    beams: &'a M::Beams<'v>,
+}
+
+impl<M: BeamModel> Gathering<'_, '_, M> {
+    /// Whether a block in a ball at `offset` from the scanner looks away from it.
+    fn looks_away(&self, block: &Block, offset_scanner: &Vec3, radius: f64) -> bool {
+        let normal = &self.samples.normals[block.face as usize];
+        M::CROSSES_SURFACE && !self.samples.two_sided && offset_scanner.dot(normal) > radius
+    }
+
+    fn add_to(&self, block: &Block, sums: &mut [Sums]) {
+        let normal = &self.samples.normals[block.face as usize];
+        // Deviations count towards the scanner; where there are many, along the normal.
+        let turns = self.place == Place::Many && M::MEASURES_DEVIATIONS;
+        for (k, sums) in sums.iter_mut().enumerate() {
+            let offset = self.samples.local(block.start as usize + k) - self.scanner_local;
+            let behind = self.samples.two_sided && offset.dot(normal) > 0.0;
+            if behind && turns {
+                let mut towards_scanner = Sums::default();
+                M::gather(self.beams, &offset, &-normal, &mut towards_scanner);
+                sums.add(&M::turned(&towards_scanner));
+            } else {
+                M::gather(self.beams, &offset, &if behind { -normal } else { *normal }, sums);
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Whose surface a beam met: the object's that it was aimed at, or another one's that is drawn nearer to it.
+
+use super::parameters::EvidenceModel;
+
+/// A beam met an object where it is drawn within this, or within 3 σ, metres.
+const AS_DESIGNED_M: f64 = 0.01;
+/// What stands farther in front of a face than this, or than 3 σ, and is rather another object's hides it, metres.
+const HIDDEN_M: f64 = 0.005;
+/// What lies farther behind a face than this, or than 3 σ, where another object is drawn, was seen through it, metres.
+const SEEN_THROUGH_M: f64 = 0.02;
+/// It is another object's where it lies so many times nearer to that one's drawn surface.
+const RATHER: f64 = 2.0;
+
+/// What another object makes of a surface that was met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ownership {
+    /// Nothing: it may be the object's own.
+    MayBeOwn,
+    /// It is the other's, and hides the face.
+    Hides,
+    /// It is the other's, and the beam passed the face on its way to it.
+    SeenThrough,
+}
+
+/// The three sigmas of a beam's range and registration, metres.
+pub fn three_sigma(model: &EvidenceModel) -> f64 {
+    3.0 * model.sigma_range.hypot(model.sigma_station)
+}
+
+/// Whose a surface is that was met `deviation` metres in front of the face, and `other` metres from another object's
+/// drawn surface; `noise` is [`three_sigma`].
+pub fn ownership(deviation: f64, other: f64, noise: f64) -> Ownership {
+    if RATHER * other < deviation && deviation > noise.max(HIDDEN_M) {
+        return Ownership::Hides;
+    }
+    let behind = RATHER * other < -deviation && -deviation > noise.max(SEEN_THROUGH_M);
+    if behind && other <= noise.max(AS_DESIGNED_M) { Ownership::SeenThrough } else { Ownership::MayBeOwn }
+}
+
+/// Whether a return beside an object, `own` metres from its drawn surface and `other` from another one's, may be the
+/// other's.
+pub fn may_be_anothers(own: f64, other: f64, model: &EvidenceModel) -> bool {
+    other < RATHER * own.max(three_sigma(model)).max(AS_DESIGNED_M)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_nearer_to_another_object_is_that_ones() {
+        let noise = 0.004;
+        for (deviation, other, whose) in [
+            (0.03, f64::INFINITY, Ownership::MayBeOwn),
+            (0.03, 0.01, Ownership::Hides),
+            (0.03, 0.02, Ownership::MayBeOwn),
+            (0.004, 0.001, Ownership::MayBeOwn),
+            (-0.05, 0.005, Ownership::SeenThrough),
+            (-0.05, 0.02, Ownership::MayBeOwn),
+            (-0.015, 0.001, Ownership::MayBeOwn),
+        ] {
+            assert_eq!(ownership(deviation, other, noise), whose, "{deviation} {other}");
+        }
+    }
+}

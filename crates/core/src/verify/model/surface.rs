@@ -1,0 +1,180 @@
+//! The `surface` model: which beams met the built surface near a sample, and how far off.
+//!
+//! A beam belongs to the samples around one place X of the drawn surface: the foot of its return, walked to from where
+//! the beam crosses the surface, or that crossing where no walk leads to the foot (`foot`). Neighbouring surfaces at
+//! concave corners, openings and silhouettes then never tell of a face they are not on.
+
+use super::beam_model::BeamModel;
+use super::kernel::{BEAMS_IN_KERNEL, KERNEL_SPACINGS, MEAN_WEIGHT, WEIGHT, goes_on, is_within, weight};
+use super::outcome::{BeamOutcome, BeamOutcomes};
+use super::parameters::EvidenceModel;
+use super::sight::Sight;
+use super::statement::{Statement, StationObservation};
+use super::sums::Sums;
+use super::surface_sums::{DEVIATION, SurfaceReading, SurfaceSums};
+use super::touch::PointTouch;
+use crate::geometry::Vec3;
+use crate::scan::View;
+use crate::verify::aim::AimedAt;
+
+/// Beams on one surface scatter by this much beyond their noise at the most: plaster, a slope between them, metres.
+const ROUGHNESS_M: f64 = 0.005;
+
+/// The model.
+#[derive(Debug)]
+pub struct Surface;
+
+/// The beams of a view, by what they met.
+#[derive(Debug)]
+pub struct SurfaceBeams<'v> {
+    view: &'v View,
+    met: BeamOutcomes,
+    /// Of the steepest admitted incidence.
+    min_cos: f64,
+}
+
+impl BeamModel for Surface {
+    type Beams<'v> = SurfaceBeams<'v>;
+
+    const CROSSES_SURFACE: bool = true;
+    const MEASURES_DEVIATIONS: bool = true;
+    const RAYS_TELL_OF_THEIR_END: bool = false;
+
+    /// Weights are positive, and no beam weighs more than 1.
+    fn are_possible(sums: &Sums) -> bool {
+        let SurfaceSums { hit, squared, through, .. } = SurfaceSums::of(sums);
+        hit >= 0 && squared >= 0 && through >= 0 && hit.saturating_add(through) <= i64::from(sums.beams()) << 16
+    }
+
+    fn kernel_radius(_: &EvidenceModel) -> f64 {
+        0.0
+    }
+
+    fn beams<'v>(
+        view: &'v View,
+        aimed: &AimedAt<'_>,
+        model: &'v EvidenceModel,
+        keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
+    ) -> Option<SurfaceBeams<'v>> {
+        let met = BeamOutcomes::of(view, aimed, model, keep)?;
+        Some(SurfaceBeams { view, met, min_cos: model.max_incidence.cos() })
+    }
+
+    fn beside_cone(beams: &SurfaceBeams<'_>) -> f64 {
+        beams.met.widest
+    }
+
+    fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: &mut Sums) {
+        let cos = -offset_scanner.dot(normal) / offset_scanner.norm();
+        if cos >= beams.min_cos {
+            gather(beams, offset_scanner, normal, sums);
+        }
+    }
+
+    fn turned(sums: &Sums) -> Sums {
+        let s = SurfaceSums::of(sums);
+        Sums::new(sums.beams(), SurfaceSums { first: s.first.saturating_neg(), ..s }.parts())
+    }
+
+    /// The point's own variance widens the scatter.
+    fn add_point(touch: &PointTouch, _: &EvidenceModel, sums: &mut Sums) {
+        let fixed = |x: f64, unit: f64| (x * unit).round() as i64;
+        // No point is less certain than a metre.
+        let variance = fixed(touch.variance.min(1.0), DEVIATION * DEVIATION);
+        let (w, d) = (fixed(touch.weight, WEIGHT), fixed(touch.deviation, DEVIATION));
+        sums.add_beam(SurfaceSums::met(w, d, variance).parts());
+    }
+
+    fn read(sums: &Sums, sight: &Sight, model: &EvidenceModel) -> Option<Statement> {
+        let r = &SurfaceReading::of(sums)?;
+        let brightness = brightness(r, sums, model);
+        // Sums count towards the scanner; values count along the outward normal.
+        let outward = if sight.from_outside { r.deviation } else { -r.deviation };
+        Some(Statement::Deviation(StationObservation {
+            deviation: (r.hit >= r.through).then_some(outward),
+            // The observed scatter, where that is larger than the noise.
+            random_variance: (beam_variance(sight, model) / brightness).max(r.variance) / r.effective.max(1.0),
+            trust: model.reliability * (1.0 - (-(r.hit + r.through) / brightness).exp()) * unmixed(r, sight, model),
+            hit_share: r.hit / (r.hit + r.through),
+            has_rays: sight.has_rays,
+            independence: independence(sight.step, sight.range, sight.cos, model),
+        }))
+    }
+
+    fn least_belief_of_seen(model: &EvidenceModel) -> f64 {
+        model.confidence
+    }
+}
+
+fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: &mut Sums) {
+    let SurfaceBeams { view, met, .. } = beams;
+    let range_squared = offset_scanner.norm_squared();
+    let Some(uv) = view.project(offset_scanner) else { return };
+    let step = f64::from(view.header.step);
+    // The gnomonic image stretches away from its centre, by this much at the most.
+    let radius = KERNEL_SPACINGS * step * (1.0 + uv[0] * uv[0] + uv[1] * uv[1]) * 1.05;
+    let here = offset_scanner.map(|c| c as f32);
+    let sight = (offset_scanner / range_squared.sqrt()).map(|c| c as f32);
+    let normal = normal.map(|c| c as f32);
+    let per_spacing = (1.0 / (step * step * range_squared)) as f32;
+    let [xs, ys, zs] = &met.places_scanner;
+    for slots in met.slots_in([uv[0] - radius, uv[1] - radius], [uv[0] + radius, uv[1] + radius]) {
+        for slot in slots {
+            let v = nalgebra::Vector3::new(xs[slot] - here.x, ys[slot] - here.y, zs[slot] - here.z);
+            let along = v.dot(&sight);
+            let lateral_squared = (v.norm_squared() - along * along).max(0.0);
+            let across_squared = lateral_squared * per_spacing;
+            if is_within(across_squared) {
+                let there = nalgebra::Vector3::from(met.normals[slot]);
+                if goes_on(v.dot(&normal).abs(), lateral_squared, there.dot(&normal)) {
+                    add(met.outcomes[slot], weight(across_squared), sums);
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn add(outcome: BeamOutcome, kernel: i64, sums: &mut Sums) {
+    let one = match outcome {
+        BeamOutcome::Surface { deviation, share } => SurfaceSums::met(shared(kernel, share), i64::from(deviation), 0),
+        BeamOutcome::SeenThrough { weight } => SurfaceSums::passed(shared(kernel, weight)),
+    };
+    sums.add_beam(one.parts());
+}
+
+/// A part of a weight in fixed point.
+#[inline(always)]
+fn shared(weight: i64, share: f32) -> i64 {
+    if share == 1.0 { weight } else { (weight as f64 * f64::from(share)).round() as i64 }
+}
+
+/// How many samples' worth of independent measurements a station gives one sample, at most 1: samples nearer to each
+/// other than the kernel is wide share their beams. `step` in radians, `range` in metres, 0 where they are unknown.
+pub fn independence(step: f64, range: f64, cos: f64, model: &EvidenceModel) -> f64 {
+    let beam_spacing_squared = (step * range).powi(2) / cos.max(0.05);
+    if beam_spacing_squared > 0.0 {
+        (model.spacing * model.spacing / (beam_spacing_squared * BEAMS_IN_KERNEL)).min(1.0)
+    } else {
+        1.0
+    }
+}
+
+/// Mean share of the beams' weights that their intensities left: dark beams cover a place as well as bright ones.
+fn brightness(r: &SurfaceReading, sums: &Sums, model: &EvidenceModel) -> f64 {
+    let unweighted = f64::from(sums.beams()) * MEAN_WEIGHT;
+    if model.intensity.is_some() { ((r.hit + r.through) / unweighted).clamp(1.0 / 64.0, 1.0) } else { 1.0 }
+}
+
+/// Variance of one beam's deviation, from range and angle, m².
+fn beam_variance(sight: &Sight, model: &EvidenceModel) -> f64 {
+    let sin = (1.0 - sight.cos * sight.cos).max(0.0).sqrt();
+    (model.sigma_range * sight.cos).powi(2) + (model.sigma_angle * sight.range * sin).powi(2)
+}
+
+/// How far the beams around a sample met one surface: where they scatter by more than noise and roughness, some met
+/// the edge's other side or what stands before it, and their mean is the place of nothing.
+fn unmixed(r: &SurfaceReading, sight: &Sight, model: &EvidenceModel) -> f64 {
+    let of_one_surface = 9.0 * beam_variance(sight, model) + ROUGHNESS_M * ROUGHNESS_M;
+    (of_one_surface / r.variance.max(of_one_surface)).powi(2)
+}

@@ -1,0 +1,155 @@
+//! How the counts of an object's faces become a verdict.
+
+use super::reason::Reason;
+use super::rule::{Verdict, VerdictRule};
+use super::tally::Tally;
+use super::thresholds::{MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_PRESENT};
+use crate::verify::evidence::Evidence;
+use crate::verify::model::{EvidenceModel, measures_deviations};
+use crate::verify::surface::FittedObject;
+use crate::{Interrupt, Result};
+
+/// A verdict with all that it was made from.
+pub struct Judgement {
+    pub reason: Reason,
+    pub tally: Tally,
+}
+
+impl Judgement {
+    /// Judges at the tolerance and confidence of `model`.
+    pub fn of(fitted: &FittedObject, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Self> {
+        let tally = Tally::of(fitted, model, rule, interrupt)?;
+        Ok(Self { reason: decide(&tally, measures_deviations(model), rule), tally })
+    }
+
+    pub fn verdict(&self) -> Verdict {
+        self.reason.verdict()
+    }
+
+    /// Whether the object stands where its faces tell: surfaces met where an absent object should stand are not its
+    /// own, and what stands beside its place does not tell how far off it is.
+    pub fn stands(&self, rule: &VerdictRule) -> bool {
+        self.verdict() != Verdict::Absent && !self.tally.is_beside() && self.tally.totals.cover(rule)
+    }
+}
+
+/// The first reason that holds.
+fn decide(tally: &Tally, measures_deviations: bool, rule: &VerdictRule) -> Reason {
+    let totals = &tally.totals;
+    let (seen, decided) = (totals.seen as f64, totals.decided() as f64);
+    if !totals.cover(rule) {
+        return Reason::TooLittleSeen;
+    }
+    // Before "undecided": contradiction is what leaves samples open. The conflict of a model that measures no
+    // deviations says nothing of this kind.
+    if measures_deviations && totals.conflict > rule.max_conflict * seen {
+        return Reason::Contradiction;
+    }
+    if decided == 0.0 || decided < MIN_DECIDED * seen {
+        return Reason::TooLittleDecided;
+    }
+    if tally.is_empty() {
+        return if tally.is_beside() { Reason::Beside } else { Reason::Empty };
+    }
+    if let Some(surface) = tally.displaced.iter().position(|d| *d) {
+        return Reason::Displaced(surface);
+    }
+    if let Some(surface) = tally.surfaces.iter().position(|s| tally.is_mostly_seen_through(s)) {
+        return Reason::SeenThrough(surface);
+    }
+    if (totals.in_place() as f64) < rule.min_confirmed.min(MIN_PRESENT) * decided {
+        return Reason::OutOfPlace;
+    }
+    // Too rough or too noisy for this tolerance; a model that measures no deviations leaves most open by its nature.
+    let unsure = !tally.known_to_hold && (totals.confirmed as f64) < MIN_CONFIRMED_OF_SEEN * seen;
+    if measures_deviations && unsure { Reason::TooUnsure } else { Reason::InPlace }
+}
+
+impl Evidence {
+    /// The verdict at the level of accuracy and confidence of `model`.
+    pub fn verdict(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Verdict> {
+        let model = self.question(model);
+        let fitted = FittedObject::of(self, &model, interrupt)?;
+        Ok(Judgement::of(&fitted, &model, rule, interrupt)?.verdict())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::Counts;
+
+    /// An object of 1000 samples in two surfaces, half of them seen, all of these in place.
+    fn in_place() -> Tally {
+        let half = Counts { samples: 500, seen: 250, confirmed: 250, on_surface: 250, ..Counts::default() };
+        let mut totals = half;
+        totals.add(&half);
+        Tally {
+            faces: Vec::new(),
+            totals,
+            surfaces: vec![half; 2],
+            displaced: vec![false; 2],
+            known_to_hold: true,
+            is_slim: false,
+            in_front_unexplained: 0,
+        }
+    }
+
+    /// What is seen, refuted as seen through, is on the surface, and is confirmed.
+    fn counted(seen: u64, pierced: u64, on_surface: u64, confirmed: u64) -> Tally {
+        let tally = in_place();
+        let totals = Counts { seen, refuted: pierced, pierced, on_surface, confirmed, ..tally.totals };
+        Tally { totals, surfaces: Vec::new(), ..tally }
+    }
+
+    #[test]
+    fn a_case_for_each_reason() {
+        let rule = VerdictRule::default();
+        let slim = |in_front_unexplained| Tally { is_slim: true, in_front_unexplained, ..counted(500, 450, 10, 0) };
+        let contradicting = |conflict| {
+            let tally = in_place();
+            Tally { totals: Counts { conflict, ..tally.totals }, ..tally }
+        };
+        let half_through = || {
+            let tally = in_place();
+            let through = Counts { samples: 500, seen: 250, refuted: 200, pierced: 200, ..Counts::default() };
+            Tally { surfaces: vec![tally.surfaces[0], through], ..tally }
+        };
+        let unsure = |known_to_hold| Tally { known_to_hold, ..counted(500, 0, 500, 200) };
+        let far_off = {
+            let tally = counted(500, 180, 300, 0);
+            Tally { totals: Counts { out_of_tolerance: 280, ..tally.totals }, ..tally }
+        };
+        let cases = [
+            (counted(4, 0, 4, 4), Reason::TooLittleSeen, Verdict::Unobserved),
+            (counted(19, 0, 19, 19), Reason::TooLittleSeen, Verdict::Unobserved),
+            (counted(20, 0, 20, 20), Reason::InPlace, Verdict::Confirmed),
+            (contradicting(151.0), Reason::Contradiction, Verdict::Conflicting),
+            (contradicting(149.0), Reason::InPlace, Verdict::Confirmed),
+            (counted(500, 0, 99, 0), Reason::TooLittleDecided, Verdict::Unobserved),
+            (counted(500, 0, 0, 0), Reason::TooLittleDecided, Verdict::Unobserved),
+            (counted(500, 450, 10, 0), Reason::Empty, Verdict::Absent),
+            (slim(89), Reason::Empty, Verdict::Absent),
+            (slim(90), Reason::Beside, Verdict::Deviating),
+            (Tally { displaced: vec![false, true], ..in_place() }, Reason::Displaced(1), Verdict::Deviating),
+            (half_through(), Reason::SeenThrough(1), Verdict::Deviating),
+            (far_off, Reason::OutOfPlace, Verdict::Deviating),
+            (unsure(false), Reason::TooUnsure, Verdict::Unobserved),
+            (unsure(true), Reason::InPlace, Verdict::Confirmed),
+            (in_place(), Reason::InPlace, Verdict::Confirmed),
+        ];
+        for (i, (tally, reason, verdict)) in cases.iter().enumerate() {
+            let found = decide(tally, true, &rule);
+            assert_eq!((found, found.verdict()), (*reason, *verdict), "case {i}");
+        }
+    }
+
+    #[test]
+    fn without_deviations_neither_conflict_nor_roughness_decide() {
+        let rule = VerdictRule::default();
+        let open = Tally { known_to_hold: false, ..counted(500, 0, 0, 200) };
+        let conflicting = Tally { totals: Counts { conflict: 400.0, ..open.totals }, ..open };
+        assert_eq!(decide(&conflicting, false, &rule), Reason::InPlace);
+        assert_eq!(decide(&conflicting, true, &rule), Reason::Contradiction);
+    }
+}

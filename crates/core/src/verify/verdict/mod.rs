@@ -1,0 +1,28 @@
+//! What is said of an object: its verdict at a tolerance, and the numbers behind it.
+//!
+//! The counts of its faces ([`FaceReport`], [`Counts`]) make a tally, the tally a reason, the reason the [`Verdict`]
+//! (`judgement`, with all its `thresholds`). [`Summary`] adds the finest class that holds, the deviation and the
+//! offset; `explain` says it in words. Beside the object: the [`SampleBelief`] at each sample, the [`Contribution`] of
+//! each station, and the evidence to be expected from a [`PlannedStation`].
+
+mod belief;
+mod best_loa;
+mod contribution;
+mod counts;
+mod explain;
+mod face_report;
+mod forecast;
+mod judgement;
+mod reason;
+mod rule;
+mod summary;
+mod tally;
+mod thresholds;
+
+pub use belief::SampleBelief;
+pub use contribution::Contribution;
+pub use counts::Counts;
+pub use face_report::FaceReport;
+pub use forecast::PlannedStation;
+pub use rule::{Verdict, VerdictRule};
+pub use summary::{Shares, Summary};

@@ -1,0 +1,74 @@
+//! The verdict on an object with its numbers.
+
+use super::best_loa::best_loa;
+use super::counts::Counts;
+use super::judgement::Judgement;
+use super::rule::{Verdict, VerdictRule};
+use crate::evidence::Loa;
+use crate::verify::evidence::Evidence;
+use crate::verify::model::EvidenceModel;
+use crate::verify::surface::{FittedObject, Shift, shift_of};
+use crate::{Interrupt, Result};
+
+/// Verdict with the numbers that led to it: SQL's `ab_summary`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// The verdict at the asked level of accuracy.
+    pub verdict: Verdict,
+    /// The finest level of accuracy at which the object would be confirmed.
+    pub best_loa: Option<Loa>,
+    /// All samples.
+    pub samples: u64,
+    /// Share of all samples that were seen.
+    pub coverage: f64,
+    /// Shares of the seen samples; `None` when none was seen. They add up to 1.
+    pub shares: Option<Shares>,
+    /// Median deviation of the worst well-seen face along its outward normal, metres, and its σ.
+    pub deviation: Option<(f64, f64)>,
+    /// Rigid offset.
+    pub shift: Option<Shift>,
+}
+
+/// How the seen samples divide.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shares {
+    /// Belief in "built here" reaches the confidence.
+    pub confirmed: f64,
+    /// Belief in "not built here" reaches it.
+    pub refuted: f64,
+    /// Neither.
+    pub open: f64,
+    /// Mean conflict between stations.
+    pub conflict: f64,
+}
+
+impl Shares {
+    fn of(totals: &Counts) -> Option<Self> {
+        let seen = totals.seen as f64;
+        (totals.seen > 0).then(|| Self {
+            confirmed: totals.confirmed as f64 / seen,
+            refuted: totals.refuted as f64 / seen,
+            open: totals.open() as f64 / seen,
+            conflict: totals.conflict / seen,
+        })
+    }
+}
+
+impl Evidence {
+    /// Verdict, shares, deviation, rigid offset and best level of accuracy.
+    pub fn summary(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Summary> {
+        let model = self.question(model);
+        let fitted = FittedObject::of(self, &model, interrupt)?;
+        let judgement = Judgement::of(&fitted, &model, rule, interrupt)?;
+        let (totals, stands) = (&judgement.tally.totals, judgement.stands(rule));
+        Ok(Summary {
+            verdict: judgement.verdict(),
+            best_loa: best_loa(&fitted, &judgement, &model, rule, interrupt)?,
+            samples: totals.samples,
+            coverage: if totals.samples > 0 { totals.seen as f64 / totals.samples as f64 } else { 0.0 },
+            shares: Shares::of(totals),
+            deviation: judgement.tally.worst_face().filter(|_| stands).and_then(|f| f.deviation),
+            shift: if stands { shift_of(self, &fitted.faces, interrupt)? } else { None },
+        })
+    }
+}

@@ -1,0 +1,36 @@
+//! The thresholds of a verdict, beside those that [`VerdictRule`](super::VerdictRule) leaves to the user.
+
+/// Least number of seen samples for a verdict.
+pub const MIN_SEEN: u64 = 5;
+/// Share of the decided samples that must have been seen empty before the object is absent: more than half, for the
+/// lee side of a displaced object is empty too.
+pub const MIN_EMPTY: f64 = 0.6;
+/// It is not absent where as much of the decided shows the object's own surface, in place or not: it was built in part,
+/// or displaced by more than it is thick.
+pub const MAX_ON_SURFACE_OF_ABSENT: f64 = 0.25;
+/// A slim object stands beside its place when something was met off as many samples as this share of the empty ones.
+pub const MIN_BESIDE: f64 = 0.2;
+/// Least share of the seen samples that must say something; below it everything is open.
+pub const MIN_DECIDED: f64 = 0.2;
+/// Least share of the seen samples that must speak for the object before it is confirmed, where its surface as a whole
+/// is not known.
+pub const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
+/// A surface counts as well seen with this share of the object's samples that have one, and as many samples.
+pub const WELL_SEEN_SHARE: f64 = 0.03;
+pub const WELL_SEEN_SAMPLES: u64 = 10;
+/// Least share of a surface that must keep the tolerance before it counts as displaced, unless more is asked: a ceiling
+/// of which a corner sags is still where it was drawn. [`Summary::best_loa`](super::Summary::best_loa) asks for 95 %.
+pub const MIN_WITHIN: f64 = 0.75;
+/// Share of every surface that must keep a class before an object has it (USIBD).
+pub const MIN_WITHIN_USIBD: f64 = 0.95;
+/// Least share of the decided samples that must show the object in place, however strict the rule is about where its
+/// surfaces are: openings and furniture take the rest.
+pub const MIN_PRESENT: f64 = 0.6;
+/// A smooth surface with this share of the seen samples can condemn the object by being seen through.
+pub const LARGE_SHARE: f64 = 0.1;
+/// Of a surface that condemns the object at least this share of the seen is decided, and more of that seen through.
+pub const MIN_SEEN_THROUGH: f64 = 0.5;
+/// A face is certainly off when its deviation is this many σ: the largest of several that are not seldom is.
+pub const CERTAINLY_OFF: f64 = 3.0;
+/// Part of the confidence that suffices for "in front" once the whole surface agrees: by itself it is discounted.
+pub const IN_FRONT_SHARE: f64 = 0.8;
