@@ -61,7 +61,8 @@ fn check_belief(belief: f64) -> Result<()> {
     if (0.0..=1.0).contains(&belief) { Ok(()) } else { Err(Error::argument("the belief", "between 0 and 1", belief)) }
 }
 
-/// Tolerance of one object against another, from theirs: √(T₁²+T₂²), or T₁+T₂ where nothing may be hoped for (M 4.2-4.5).
+/// Tolerance of one object against another, from theirs: √(T₁²+T₂²), or T₁+T₂ where nothing may be hoped for (M
+/// 4.2-4.5).
 pub fn relative_tolerance(t1: f64, t2: f64, rule: &str) -> Result<f64> {
     let (t1, t2) = (positive("a tolerance", t1)?, positive("a tolerance", t2)?);
     match rule {
@@ -71,7 +72,8 @@ pub fn relative_tolerance(t1: f64, t2: f64, rule: &str) -> Result<f64> {
     }
 }
 
-/// Largest standard deviation of a sensor fit for a tolerance: T/5 to tell levels of accuracy, T/15 to prove a tolerance.
+/// Largest standard deviation of a sensor fit for a tolerance: T/5 to tell levels of accuracy, T/15 to prove a
+/// tolerance.
 pub fn largest_sigma(tolerance: f64, purpose: &str) -> Result<f64> {
     let tolerance = positive("the tolerance", tolerance)?;
     match purpose {

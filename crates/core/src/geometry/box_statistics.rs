@@ -2,8 +2,8 @@
 //!
 //! A k-d partition of a sample: cells of about equal counts over centre and size. Within a cell centres are taken as
 //! uniform and sizes as their mean, for which the share of pairs that overlap has a closed form. Unlike a grid of cells
-//! (PostGIS) it costs nothing where there is nothing, and unlike counting the pairs of two samples it is smooth where one
-//! pair in a million overlaps.
+//! (PostGIS) it costs nothing where there is nothing, and unlike counting the pairs of two samples it is smooth where
+//! one pair in a million overlaps.
 
 use super::Aabb;
 

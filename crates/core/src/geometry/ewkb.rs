@@ -19,7 +19,8 @@ const POLYHEDRAL_SURFACE: u32 = 15;
 const TIN: u32 = 16;
 const TRIANGLE: u32 = 17;
 
-/// The triangles of a face cover its area to this share, or it is refused: a hole beside it, or a face that is not plane.
+/// The triangles of a face cover its area to this share, or it is refused: a hole beside it, or a face that is not
+/// plane.
 const AREA_TOLERANCE: f64 = 0.01;
 
 /// How a surface is written.

@@ -4,10 +4,12 @@ mod aabb;
 mod adjacency;
 mod box_statistics;
 mod closedness;
+mod coordinate;
 mod ewkb;
 mod face;
 mod hilbert;
 mod orient;
+mod perpendicular;
 mod solid;
 pub mod split;
 mod triangulate;
@@ -17,11 +19,13 @@ pub use aabb::Aabb;
 pub(crate) use adjacency::Adjacency;
 pub use box_statistics::{BoxStatistics, Relation};
 pub use closedness::Closedness;
+pub(crate) use coordinate::check_coordinates;
 pub use ewkb::SurfaceKind;
 pub(crate) use face::BLUNT_EDGE_COS;
 pub use face::{Faces, group_faces};
 pub use hilbert::hilbert;
 pub use orient::orient;
+pub(crate) use perpendicular::perpendiculars;
 pub use solid::{Solid, SolidHeader};
 
 /// A point or vector in metres.

@@ -10,8 +10,8 @@ use crate::{Interrupt, Result, poll, room};
 
 type Plane = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// Corner numbers of triangles that fill a polygon, turning about `normal` as its outer ring does; `None` for rings that
-/// cross themselves or each other, or have no three corners. `holes`: where each further ring starts.
+/// Corner numbers of triangles that fill a polygon, turning about `normal` as its outer ring does; `None` for rings
+/// that cross themselves or each other, or have no three corners. `holes`: where each further ring starts.
 ///
 /// A constrained Delaunay triangulation, one corner and one edge at a time: the triangles are those that an odd number
 /// of edges parts from the outside. What runs to and fro (a slit to a hole) parts nothing.
@@ -58,7 +58,8 @@ fn representable(x: f64) -> f64 {
     if x.abs() < 1e-30 { 0.0 } else { x }
 }
 
-/// The edges that part inside from outside: those that an odd number of rings' edges run along. `None` where edges cross.
+/// The edges that part inside from outside: those that an odd number of rings' edges run along. `None` where edges
+/// cross.
 fn parting_edges(
     handles: &[FixedVertexHandle],
     holes: &[usize],

@@ -1,10 +1,10 @@
 //! One column of integers as bit-packed differences.
 //!
-//! Blocks of [`BLOCK`] values. Each is predicted from the one before, and in a column that follows a leading one also from
-//! the leading column's step times the block's slope: range noise moves a return along its beam, so two coordinates follow
-//! the third. What is left, less the block's reference (the regular step of the scan line), is zigzag coded in as few bits
-//! as pay off; values that need more (the jump to the next scan line) are exceptions. After Zukowski et al. 2006
-//! (PFOR-DELTA). Arithmetic wraps, so any `i32` column is carried exactly.
+//! Blocks of [`BLOCK`] values. Each is predicted from the one before, and in a column that follows a leading one also
+//! from the leading column's step times the block's slope: range noise moves a return along its beam, so two
+//! coordinates follow the third. What is left, less the block's reference (the regular step of the scan line), is
+//! zigzag coded in as few bits as pay off; values that need more (the jump to the next scan line) are exceptions. After
+//! Zukowski et al. 2006 (PFOR-DELTA). Arithmetic wraps, so any `i32` column is carried exactly.
 //!
 //! Block layout: width u8, exceptions u8, slope i16 (only with a leading column), reference varint (signed), the packed
 //! low bits (`width` × values, LSB first, padded to a byte), then per exception its place u8 and its value varint.
@@ -218,7 +218,11 @@ mod tests {
         }
 
         #[test]
-        fn damaged_bytes_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..400), count in 0usize..5000, led: bool) {
+        fn damaged_bytes_never_panic(
+            bytes in prop::collection::vec(any::<u8>(), 0..400),
+            count in 0usize..5000,
+            led: bool,
+        ) {
             let lead = vec![7; count];
             let _ = unpack(&mut Reader::new(&bytes, "t"), count, led.then_some(&lead[..]));
         }

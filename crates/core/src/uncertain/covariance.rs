@@ -12,8 +12,8 @@ const RANK_TOLERANCE: f64 = 1e-13;
 const EXACT_TOLERANCE: f64 = 1e-8;
 /// A scaled eigenvalue above the negative of this is none but for rounding.
 const ROUNDING: f64 = 1e-8;
-/// In the check for a covariance a variance counts for no less than this part of the largest entry: below it stands what
-/// rounding left of propagation.
+/// In the check for a covariance a variance counts for no less than this part of the largest entry: below it stands
+/// what rounding left of propagation.
 const LEAST_SHARE: f64 = 1e-6;
 
 /// Checks that `m` is finite, symmetric and positive semi-definite (to rounding) and returns it exactly symmetric.
