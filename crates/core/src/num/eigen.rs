@@ -1,5 +1,5 @@
-//! Eigenvalues and pseudo-inverses by nalgebra, whose iterations have no end of their own: a number that is not finite, or an
-//! overflow on the way, would keep them going.
+//! Eigenvalues and pseudo-inverses by nalgebra, whose iterations have no end of their own: a number that is not finite,
+//! or an overflow on the way, would keep them going.
 
 use nalgebra::{Const, DMatrix, Dyn, Matrix3, SMatrix, SymmetricEigen};
 
@@ -23,8 +23,8 @@ pub fn of_any(m: DMatrix<f64>) -> SymmetricEigen<f64, Dyn> {
     })
 }
 
-/// Whether nalgebra's singular values, and so its pseudo-inverse, come to an end: nothing in the matrix is, or becomes when
-/// squared, infinite.
+/// Whether nalgebra's singular values, and so its pseudo-inverse, come to an end: nothing in the matrix is, or becomes
+/// when squared, infinite.
 pub fn is_tame<const N: usize>(m: &SMatrix<f64, N, N>) -> bool {
     m.iter().all(|x| x.abs() < 1e100)
 }

@@ -1,9 +1,9 @@
 //! Stored values as containers of tagged sections, each under a checksum of its own.
 //!
-//! Layout, little-endian: version u8, the type's letter u8, two bytes of notes whose meaning is the type's; then sections of
-//! tag u32, length u32, CRC-32 u32 and so many bytes. The checksum covers tag, length and content, that of the first
-//! section ([`HEADER`], readable from a prefix) the four bytes before it too. What a later release adds is a section: where
-//! its tag is not [`REQUIRED`], readers that do not know it pass over it; else they refuse the value.
+//! Layout, little-endian: version u8, the type's letter u8, two bytes of notes whose meaning is the type's; then
+//! sections of tag u32, length u32, CRC-32 u32 and so many bytes. The checksum covers tag, length and content, that of
+//! the first section ([`HEADER`], readable from a prefix) the four bytes before it too. What a later release adds is a
+//! section: where its tag is not [`REQUIRED`], readers that do not know it pass over it; else they refuse the value.
 
 use super::bytes::{Put, Reader};
 use crate::error::{Error, Result};
@@ -153,7 +153,12 @@ mod tests {
     proptest! {
         /// Of the preamble, the version and the letter are the type's to check.
         #[test]
-        fn damage_is_noticed(body in prop::collection::vec(any::<u8>(), 0..200), at in any::<usize>(), x in 1u8.., cut in 0usize..3) {
+        fn damage_is_noticed(
+            body in prop::collection::vec(any::<u8>(), 0..200),
+            at in any::<usize>(),
+            x in 1u8..,
+            cut in 0usize..3,
+        ) {
             let mut bytes = value(&[(HEADER, b"head"), (9, b"optional"), (BODY, &body)]);
             let n = bytes.len();
             bytes[at % n] ^= x;
