@@ -30,7 +30,7 @@ impl Source {
         let stem = stem.strip_suffix("/mod").unwrap_or(if stem == "lib" { "" } else { stem });
         let module = stem.split('/').filter(|part| !part.is_empty()).map(String::from).collect();
         let lines: Vec<&str> = text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect();
-        let tests = lines.windows(2).position(|w| w[0].trim() == "#[cfg(test)]" && w[1].trim().starts_with("mod "));
+        let tests = lines.windows(2).position(|w| w[0].trim() == "#[cfg(test)]" && w[1].contains("mod "));
         let code = lines[..tests.unwrap_or(lines.len())].join("\n");
         Self { path: path.into(), module, text: text.into(), code }
     }
@@ -95,8 +95,12 @@ fn imports(code: &str) -> Vec<Import> {
     while let Some(line) = lines.next() {
         let line = line.trim();
         let is_handed_on = line.starts_with("pub");
-        let visible = ["pub(crate) ", "pub(super) ", "pub "].iter().find_map(|word| line.strip_prefix(word));
-        let Some(tree) = visible.unwrap_or(line).strip_prefix("use ") else {
+        // `pub(crate) use` and the like: what is left behind the parenthesis.
+        let statement = line.strip_prefix("pub").map_or(line, |rest| match rest.strip_prefix('(') {
+            Some(scope) => scope.split_once(')').map_or("", |(_, rest)| rest).trim_start(),
+            None => rest.trim_start(),
+        });
+        let Some(tree) = statement.strip_prefix("use ") else {
             rest += line;
             rest.push('\n');
             continue;

@@ -1,4 +1,20 @@
-//! Exact geometry of building objects: boxes, meshes, what they enclose and the faces they are seen by.
+//! Exact geometry of building objects: boxes, meshes, what they enclose and the faces they are seen by. Read in this
+//! order:
+//!
+//! * [`coordinate`]: how large a coordinate may be;
+//! * [`perpendicular`]: axes across an axis;
+//! * [`aabb`]: boxes along the axes;
+//! * [`split`]: boxes divided over two index pages;
+//! * [`hilbert`]: boxes along a curve;
+//! * [`box_statistics`]: how many boxes overlap, for the planner;
+//! * [`weld`]: vertices at one place as one;
+//! * [`closedness`]: whether a mesh bounds a volume;
+//! * [`orient`]: triangles turned to look outward;
+//! * [`solid`]: the mesh of an object;
+//! * [`adjacency`]: triangles beside each other;
+//! * [`face`]: triangles that make a face;
+//! * [`triangulate`]: polygons as triangles;
+//! * [`ewkb`]: solids as PostGIS writes them.
 
 mod aabb;
 mod adjacency;

@@ -48,11 +48,7 @@ pub fn insert<T>(blocks: &mut BlockMap<T>, key: [i32; 3], block: T, interrupt: I
 }
 
 /// The block numbered `key`, made where it is missing.
-pub fn made<'a, T: Default>(
-    blocks: &'a mut BlockMap<T>,
-    key: [i32; 3],
-    interrupt: Interrupt,
-) -> Result<&'a mut T> {
+pub fn made<'a, T: Default>(blocks: &'a mut BlockMap<T>, key: [i32; 3], interrupt: Interrupt) -> Result<&'a mut T> {
     blocks.grow(1, interrupt)?;
     Ok(blocks.entry(key).or_default())
 }
