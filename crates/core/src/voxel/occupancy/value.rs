@@ -98,6 +98,7 @@ impl Occupancy {
     }
 
     /// Adds what a packed patch says: returns are counted, and what the beams pass on their way is empty.
+    /// An error for a drawn model, of which everything is known.
     pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
         match &mut self.known {
             Known::Seen(blocks) => {
@@ -156,4 +157,26 @@ fn add(mine: &mut BlockMap<Block>, theirs: &BlockMap<Block>, interrupt: Interrup
 fn join(a: &Aabb, b: &Aabb) -> bool {
     let alike = (0..3).filter(|&i| a.min[i] == b.min[i] && a.max[i] == b.max[i]).count();
     a.contains(b) || b.contains(a) || alike >= 2 && a.overlaps(b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::NEVER;
+    use crate::geometry::Vec3;
+    use crate::scan::{Beam, Patch};
+
+    #[test]
+    fn what_does_not_belong_together() {
+        let tile = |a: f64, b: f64| Grid::new(0.1, Aabb { min: [a, 0.0, 0.0], max: [b, 1.0, 1.0] }, 0.0, 0.0).unwrap();
+        let (mut model, mut seen) = (Occupancy::of_model(tile(0.0, 1.0)), Occupancy::new(tile(0.0, 1.0)));
+        assert!(model.merge(&seen, NEVER).is_err() && seen.merge(&model, NEVER).is_err());
+        assert!(model.merge(&Occupancy::of_model(tile(2.0, 3.0)), NEVER).is_err(), "a gap");
+        model.merge(&Occupancy::of_model(tile(1.0, 2.0)), NEVER).unwrap();
+        assert_eq!(model.grid().tile, tile(0.0, 2.0).tile);
+        assert_eq!([15, 25].map(|x| model.state([x, 0, 0], 1)), [State::Empty, State::Unknown]);
+        let beam = Beam { offset: Vec3::new(1.5, 0.5, 0.5), returned: true };
+        let patch = Patch::encode(1, Vec3::zeros(), 0.01, 1e-4, &[beam]).unwrap().to_bytes();
+        assert!(model.absorb(&patch, NEVER).is_err() && seen.absorb(&patch, NEVER).is_ok());
+    }
 }
