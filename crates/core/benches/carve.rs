@@ -3,7 +3,7 @@
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::{Beam, Patch};
-use asbuilt_core::voxel::{Grid, Occupancy, march};
+use asbuilt_core::voxel::{Grid, Occupancy, traverse};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 /// 64 x 64 beams at a step of 2.5 mrad, about an azimuth.
@@ -41,12 +41,12 @@ fn steps(c: &mut Criterion) {
         let start = header.origin / voxel;
         let ends: Vec<Vec3> = content.beams.iter().map(|b| start + b.offset / voxel).collect();
         let mut passed = 0u64;
-        ends.iter().for_each(|end| march(&start, end, |_| passed += 1));
+        ends.iter().for_each(|end| traverse(&start, end, |_| passed += 1));
         group.throughput(Throughput::Elements(passed));
         group.bench_function(format!("one by one, {} mm, azimuth {azimuth}", voxel * 1e3), |b| {
             b.iter(|| {
                 let mut sum = 0i64;
-                ends.iter().for_each(|end| march(&start, end, |v| sum ^= v[0] + v[1] + v[2]));
+                ends.iter().for_each(|end| traverse(&start, end, |v| sum ^= v[0] + v[1] + v[2]));
                 sum
             });
         });

@@ -2,6 +2,7 @@
 //!
 //! Read in this order; each module uses only those above it:
 //!
+//! * [`error`]: what a caller can get wrong;
 //! * [`budget`]: time and memory that long work may take;
 //! * [`num`]: the normal distribution, byte cursors, shortest decimal text;
 //! * [`geometry`]: boxes, triangle meshes ([`geometry::Solid`]), their faces;
@@ -34,6 +35,8 @@
 
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
+// Contents pages link to what they hand on, which is not public by itself.
+#![allow(rustdoc::private_intra_doc_links)]
 
 pub mod budget;
 pub mod error;

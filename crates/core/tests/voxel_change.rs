@@ -272,15 +272,21 @@ proptest! {
 
     /// Components are the equivalence classes of "the gap is small", found by looking at all pairs.
     #[test]
-    fn components_are_those_of_all_pairs(seed: u64, n in 1usize..120, gap_voxels in prop::sample::select(vec![0.0f64, 1.01, 2.01])) {
+    fn components_are_those_of_all_pairs(
+        seed: u64,
+        n in 1usize..120,
+        gap_voxels in prop::sample::select(vec![0.0f64, 1.01, 2.01]),
+    ) {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let grid = Grid::new(0.1, Grid::EVERYWHERE, 0.0, 0.0).unwrap();
         let mut model = Occupancy::of_model(grid);
         let mut voxels: Vec<Voxel> = Vec::new();
         for _ in 0..n {
             let voxel: Voxel = std::array::from_fn(|_| rng.random_range(-12..12));
-            let at = Solid::cuboid((grid.centre(voxel) - Vec3::repeat(0.01)).into(), (grid.centre(voxel) + Vec3::repeat(0.01)).into()).unwrap();
-            model.merge(&Mask::of(&at, &grid, Rule::Cover, NEVER).unwrap().into_model(grid, NEVER).unwrap(), NEVER).unwrap();
+            let corner = |by: f64| (grid.centre(voxel) + Vec3::repeat(by)).into();
+            let at = Solid::cuboid(corner(-0.01), corner(0.01)).unwrap();
+            let mask = Mask::of(&at, &grid, Rule::Cover, NEVER).unwrap();
+            model.merge(&mask.into_model(grid, NEVER).unwrap(), NEVER).unwrap();
             voxels.push(voxel);
         }
         voxels.sort();

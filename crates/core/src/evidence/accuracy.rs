@@ -72,7 +72,8 @@ pub fn relative_tolerance(t1: f64, t2: f64, rule: &str) -> Result<f64> {
     }
 }
 
-/// Largest standard deviation of a sensor fit for a tolerance: T/5 to tell levels of accuracy, T/15 to prove a tolerance.
+/// Largest standard deviation of a sensor fit for a tolerance: T/5 to tell levels of accuracy, T/15 to prove a
+/// tolerance.
 pub fn largest_sigma(tolerance: f64, purpose: &str) -> Result<f64> {
     let tolerance = positive("the tolerance", tolerance)?;
     match purpose {

@@ -16,11 +16,6 @@ pub struct LogCommonality {
 }
 
 impl LogCommonality {
-    /// The commonalities of one mass. A mass without ignorance gives −∞ in `unknown`; discount sources first.
-    pub fn of(m: &Mass) -> Self {
-        Self { occupied: (m.occupied + m.unknown).ln(), empty: (m.empty + m.unknown).ln(), unknown: m.unknown.ln() }
-    }
-
     /// Adds another source.
     pub fn add(&mut self, o: &Self) {
         self.occupied += o.occupied;
@@ -37,6 +32,15 @@ impl LogCommonality {
         let (qo, qe, qu) = ((self.occupied - top).exp(), (self.empty - top).exp(), (self.unknown - top).exp());
         let n = qo + qe - qu;
         Some(Mass { occupied: ((qo - qu) / n).max(0.0), empty: ((qe - qu) / n).max(0.0), unknown: qu / n })
+    }
+}
+
+impl Mass {
+    /// Its logarithmic commonalities, in which combination is addition. A mass without ignorance gives −∞ in `unknown`;
+    /// discount sources first.
+    pub fn log_commonality(&self) -> LogCommonality {
+        let q = |part: f64| (part + self.unknown).ln();
+        LogCommonality { occupied: q(self.occupied), empty: q(self.empty), unknown: self.unknown.ln() }
     }
 }
 

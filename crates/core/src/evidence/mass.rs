@@ -1,6 +1,5 @@
 //! Belief masses on the frame {occupied, empty}.
 
-use super::LogCommonality;
 use crate::error::{Error, Result};
 use crate::num::text::{number, numbers};
 
@@ -113,11 +112,6 @@ impl Mass {
         self.occupied * other.empty + self.empty * other.occupied
     }
 
-    /// Its logarithmic commonalities, in which combination is addition.
-    pub fn log_commonality(&self) -> LogCommonality {
-        LogCommonality::of(self)
-    }
-
     /// m(∅): what contradicting sources put on nothing at all. Less than 1e-9 is rounding and counts as none.
     pub fn contradiction(&self) -> f64 {
         let rest = 1.0 - (self.occupied + self.empty + self.unknown);
@@ -179,7 +173,11 @@ mod tests {
 
     proptest! {
         #[test]
-        fn combination_is_commutative_associative_and_has_a_neutral_mass(a in any_mass(), b in any_mass(), c in any_mass()) {
+        fn combination_is_commutative_associative_and_has_a_neutral_mass(
+            a in any_mass(),
+            b in any_mass(),
+            c in any_mass(),
+        ) {
             prop_assert!(close(&a.combine(&b).unwrap(), &b.combine(&a).unwrap(), 1e-14));
             let left = a.combine(&b).unwrap().combine(&c).unwrap();
             let right = a.combine(&b.combine(&c).unwrap()).unwrap();

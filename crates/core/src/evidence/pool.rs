@@ -273,7 +273,7 @@ mod tests {
     #[test]
     fn equals_pairwise_for_associative_rules() {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(2);
-        for rule in Rule::ALL.into_iter().filter(|r| r.is_associative()) {
+        for rule in [Rule::Dempster, Rule::Conjunctive, Rule::Disjunctive, Rule::Cautious] {
             let masses: Vec<Mass> = (0..7).map(|_| dyadic(&mut rng)).collect();
             let pairwise = masses[1..].iter().fold(masses[0], |a, b| rule.combine(&a, b).unwrap());
             let got = pooled(rule, &masses);

@@ -12,7 +12,8 @@ pub struct SensorPreset {
     pub sigma_range: f64,
     /// Standard deviation of a direction, radians.
     pub sigma_angle: f64,
-    /// Standard deviation of a position after registration, metres per axis: targets or cloud to cloud, as is usual with it.
+    /// Standard deviation of a position after registration, metres per axis: targets or cloud to cloud, as is usual
+    /// with it.
     pub sigma_station: f64,
     /// Range up to which this holds, metres.
     pub max_range: f64,

@@ -1,7 +1,7 @@
 //! Rules of combination for two sources.
 //!
-//! On the frame {occupied, empty} any two contradicting focal sets are occupied and empty themselves, and their union is
-//! "unknown": Dubois and Prade's rule is then Yager's, also for more than two sources.
+//! On the frame {occupied, empty} any two contradicting focal sets are occupied and empty themselves, and their union
+//! is "unknown": Dubois and Prade's rule is then Yager's, also for more than two sources.
 
 use super::Mass;
 use crate::error::{Error, Result};
@@ -22,8 +22,8 @@ pub enum Rule {
     /// Smarandache & Dezert (PCR5, for two sources equal to Martin & Osswald's PCR6, 2006): conflict goes back to those
     /// who caused it, in proportion. Not associative.
     Pcr6,
-    /// Murphy 2000: the average, combined with itself by Dempster as often as there are sources. Not associative; all at
-    /// once do not depend on their order.
+    /// Murphy 2000: the average, combined with itself by Dempster as often as there are sources. Not associative; all
+    /// at once do not depend on their order.
     Murphy,
     /// Denœux 2008, normalised: the least committed of the sources' weights. For sources that are not distinct; it is
     /// idempotent. Associative. Needs some ignorance in every source.
@@ -55,11 +55,6 @@ impl Rule {
             .into_iter()
             .find(|r| r.name() == text)
             .ok_or_else(|| Error::argument("the rule of combination", expected, format!("'{text}'")))
-    }
-
-    /// Whether (a ∘ b) ∘ c = a ∘ (b ∘ c).
-    pub fn is_associative(self) -> bool {
-        matches!(self, Self::Dempster | Self::Conjunctive | Self::Disjunctive | Self::Cautious)
     }
 
     /// Combines two sources.
@@ -109,8 +104,8 @@ impl Mass {
     }
 }
 
-/// Weights of the conjunctive decomposition (Denœux 2008, eq. 12) on the two hypotheses: w({occupied}) = q(Θ)/q({occupied})
-/// and likewise for empty; 1 says nothing, 0 is certainty.
+/// Weights of the conjunctive decomposition (Denœux 2008, eq. 12) on the two hypotheses: w({occupied}) =
+/// q(Θ)/q({occupied}) and likewise for empty; 1 says nothing, 0 is certainty.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Weights {
     pub(super) occupied: f64,
@@ -173,7 +168,7 @@ mod tests {
                 if rule != Rule::Conjunctive {
                     prop_assert!((ab.occupied + ab.empty + ab.unknown - 1.0).abs() < 1e-12, "{rule:?} sums to 1");
                 }
-                if rule.is_associative() {
+                if matches!(rule, Rule::Dempster | Rule::Conjunctive | Rule::Disjunctive | Rule::Cautious) {
                     prop_assert!(off(&f(&ab, &c), &f(&a, &f(&b, &c))) < 1e-12, "{rule:?} associates");
                 }
                 let neutral = !matches!(rule, Rule::Disjunctive | Rule::Murphy);

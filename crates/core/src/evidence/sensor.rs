@@ -9,11 +9,6 @@ use crate::geometry::Vec3;
 use crate::num::normal::cdf;
 
 impl RayModel {
-    /// Image rays (Meyer (2022), Table 7.7).
-    pub const IMAGE: Self = Self { kappa: 15_000.0, lambda: 800.0, c: 5.0 };
-    /// Dense matched points.
-    pub const DENSE: Self = Self { kappa: 6_000.0, lambda: 1_200.0, c: 5.0 };
-
     /// Parameters that follow from the sensor: the kernel halves one point spacing (m) away, κ = ln 2/s², and the
     /// occupied band is ±2σ (m) thick, λ = c/2σ.
     pub fn of_sensor(spacing: f64, sigma: f64, c: f64) -> Result<Self> {
@@ -25,9 +20,9 @@ impl RayModel {
         Self::new(std::f64::consts::LN_2 / spacing.powi(2), c / (2.0 * sigma), c)
     }
 
-    /// Mass at `query` from a tie point with its covariance (m²), seen from a camera at `origin`: the ray model with the
-    /// transitions widened along the ray and the kernel across it as the point's own covariance asks (two σ along it, one
-    /// across; never narrower than the parameters).
+    /// Mass at `query` from a tie point with its covariance (m²), seen from a camera at `origin`: the ray model with
+    /// the transitions widened along the ray and the kernel across it as the point's own covariance asks (two σ along
+    /// it, one across; never narrower than the parameters).
     pub fn tie_point_mass(&self, origin: &Vec3, point: &Vec3, covariance: &Matrix3<f64>, query: &Vec3) -> Mass {
         let along = point - origin;
         let range = along.norm();
@@ -108,6 +103,11 @@ impl SurfaceObservation {
 mod tests {
     use super::*;
 
+    /// Image rays (M Tab. 7.7).
+    const IMAGE: RayModel = RayModel { kappa: 15_000.0, lambda: 800.0, c: 5.0 };
+    /// Dense matched points.
+    const DENSE: RayModel = RayModel { kappa: 6_000.0, lambda: 1_200.0, c: 5.0 };
+
     #[test]
     fn parameters_from_a_sensor() {
         let m = RayModel::of_sensor(0.005, 0.0025, 3.0).unwrap();
@@ -119,16 +119,15 @@ mod tests {
     #[test]
     fn sensors_at_their_own_points() {
         let (s, p) = (Vec3::zeros(), Vec3::new(10.0, 0.0, 0.0));
-        let exact = RayModel::IMAGE.tie_point_mass(&s, &p, &Matrix3::zeros(), &p);
-        assert!((exact.occupied - RayModel::IMAGE.mass(&s, &p, &p).occupied).abs() < 1e-15);
+        let exact = IMAGE.tie_point_mass(&s, &p, &Matrix3::zeros(), &p);
+        assert!((exact.occupied - IMAGE.mass(&s, &p, &p).occupied).abs() < 1e-15);
         let wide = Matrix3::from_diagonal(&Vec3::new(0.02f64.powi(2), 0.0, 0.0));
         let before = Vec3::new(9.97, 0.0, 0.0);
-        let (narrow, loose) =
-            (RayModel::IMAGE.mass(&s, &p, &before), RayModel::IMAGE.tie_point_mass(&s, &p, &wide, &before));
+        let (narrow, loose) = (IMAGE.mass(&s, &p, &before), IMAGE.tie_point_mass(&s, &p, &wide, &before));
         assert!(narrow.empty > 0.99 && loose.empty < 0.3 && loose.occupied > 0.5, "{loose:?}");
-        let dense = RayModel::DENSE.dense_point_mass(&p, &Vec3::x(), &p);
+        let dense = DENSE.dense_point_mass(&p, &Vec3::x(), &p);
         assert!((dense.occupied - (2.0 / (1.0 + (-5.0f64).exp()) - 1.0)).abs() < 1e-12 && dense.empty == 0.0);
-        assert!(RayModel::DENSE.dense_point_mass(&p, &Vec3::x(), &before).occupied < 1e-9);
+        assert!(DENSE.dense_point_mass(&p, &Vec3::x(), &before).occupied < 1e-9);
     }
 
     #[test]

@@ -1,13 +1,31 @@
-//! Exact geometry of building objects: boxes, meshes, what they enclose and the faces they are seen by.
+//! Exact geometry of building objects: boxes, meshes, what they enclose and the faces they are seen by. Read in this
+//! order:
+//!
+//! * [`coordinate`]: how large a coordinate may be;
+//! * [`perpendicular`]: axes across an axis;
+//! * [`aabb`]: boxes along the axes;
+//! * [`split`]: boxes divided over two index pages;
+//! * [`hilbert`]: boxes along a curve;
+//! * [`box_statistics`]: how many boxes overlap, for the planner;
+//! * [`weld`]: vertices at one place as one;
+//! * [`closedness`]: whether a mesh bounds a volume;
+//! * [`orient`]: triangles turned to look outward;
+//! * [`solid`]: the mesh of an object;
+//! * [`adjacency`]: triangles beside each other;
+//! * [`face`]: triangles that make a face;
+//! * [`triangulate`]: polygons as triangles;
+//! * [`ewkb`]: solids as PostGIS writes them.
 
 mod aabb;
 mod adjacency;
 mod box_statistics;
 mod closedness;
+mod coordinate;
 mod ewkb;
 mod face;
 mod hilbert;
 mod orient;
+mod perpendicular;
 mod solid;
 pub mod split;
 mod triangulate;
@@ -17,11 +35,13 @@ pub use aabb::Aabb;
 pub(crate) use adjacency::Adjacency;
 pub use box_statistics::{BoxStatistics, Relation};
 pub use closedness::Closedness;
+pub(crate) use coordinate::check_coordinates;
 pub use ewkb::SurfaceKind;
 pub(crate) use face::BLUNT_EDGE_COS;
 pub use face::{Faces, group_faces};
 pub use hilbert::hilbert;
 pub use orient::orient;
+pub(crate) use perpendicular::perpendiculars;
 pub use solid::{Solid, SolidHeader};
 
 /// A point or vector in metres.

@@ -1,6 +1,7 @@
 //! A building object's geometry: a triangle mesh with what it encloses.
 
 use super::closedness::closedness;
+use super::coordinate::check_coordinates;
 use super::weld::weld;
 use super::{Aabb, Closedness, Vec3};
 use crate::error::{Error, Limited, Result};
@@ -12,10 +13,10 @@ const TY: &str = "ab_solid";
 
 /// A triangle mesh, world coordinates in metres, triangles counter-clockwise seen from outside.
 ///
-/// Stored as a container of sections (`num/sections.rs`), version 2, letter `'S'`, whose first note is the closedness. The
-/// header's content, little-endian: vertex count u32, triangle count u32, box 6×f64, area f64, volume f64 (NaN when open); the
-/// body: vertices 3×f64, triangles 3×u32. Version 1 is read: the letter, closedness u8, 0 u8, both counts, CRC-32 of the body
-/// u32, the rest of the header, the body.
+/// Stored as a container of sections (`num/sections.rs`), version 2, letter `'S'`, whose first note is the closedness.
+/// The header's content, little-endian: vertex count u32, triangle count u32, box 6×f64, area f64, volume f64 (NaN when
+/// open); the body: vertices 3×f64, triangles 3×u32. Version 1 is read: the letter, closedness u8, 0 u8, both counts,
+/// CRC-32 of the body u32, the rest of the header, the body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
     vertices: Vec<Vec3>,
@@ -279,9 +280,7 @@ fn check(vertices: &[Vec3], triangles: &[[u32; 3]], interrupt: Interrupt) -> Res
             limit: Solid::MAX_ELEMENTS.to_string(),
         });
     }
-    if let Some(x) = vertices.iter().flatten().find(|x| !(-1e9..=1e9).contains(*x)) {
-        return Err(Error::argument("a vertex coordinate", "finite and within 1e9 m", x));
-    }
+    check_coordinates("a vertex coordinate", vertices.iter().flatten())?;
     for (t, tri) in triangles.iter().enumerate() {
         poll_now_and_then(t, interrupt)?;
         if let Some(&i) = tri.iter().find(|&&i| i as usize >= vertices.len()) {
@@ -334,9 +333,25 @@ mod tests {
         assert_eq!(open.area(), 0.5);
     }
 
+    #[test]
+    fn damage_is_noticed() {
+        let good = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap().to_bytes(NEVER).unwrap();
+        for at in 0..good.len() {
+            for x in [1, 2, 3, 0x80, 0xff] {
+                let mut bytes = good.clone();
+                bytes[at] ^= x;
+                assert!(Solid::from_bytes(&bytes, NEVER).is_err(), "byte {at}");
+                assert!(Solid::from_stored(&bytes, NEVER).is_err(), "byte {at}");
+            }
+        }
+    }
+
     proptest! {
         #[test]
-        fn damaged_bytes_never_panic(cut in 0usize..400, flips in prop::collection::vec((0usize..400, any::<u8>()), 0..8)) {
+        fn damaged_bytes_never_panic(
+            cut in 0usize..400,
+            flips in prop::collection::vec((0usize..400, any::<u8>()), 0..8),
+        ) {
             let mut bytes = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap().to_bytes(NEVER).unwrap();
             for (at, x) in flips {
                 let n = bytes.len();

@@ -1,5 +1,14 @@
-//! Small numerical tools: [`normal`] and [`chi_square`] distribution, order [`stats`], interruptible [`sort`], bounded `eigen`values, [`bytes`] cursors,
-//! stored values as [`sections`], decimal and hexadecimal [`text`].
+//! Small numerical tools. Read in this order:
+//!
+//! * [`text`]: shortest decimal and hexadecimal text;
+//! * [`bytes`]: cursors that cannot read past the end;
+//! * [`sections`]: stored values as containers of sections;
+//! * [`sort`]: long sorts that can be interrupted;
+//! * [`stats`]: order statistics;
+//! * [`whole`]: the whole numbers beside a number;
+//! * [`normal`]: the normal distribution;
+//! * [`chi_square`]: the distribution of a sum of squares;
+//! * [`eigen`]: eigenvalues in bounded time.
 
 pub mod bytes;
 pub mod chi_square;
@@ -9,3 +18,4 @@ pub(crate) mod sections;
 pub mod sort;
 pub mod stats;
 pub mod text;
+pub(crate) mod whole;

@@ -154,7 +154,12 @@ mod tests {
     proptest! {
         /// The version and the letter of the preamble are for the type to check.
         #[test]
-        fn damage_is_noticed(body in prop::collection::vec(any::<u8>(), 0..200), at in any::<usize>(), x in 1u8.., cut in 0usize..3) {
+        fn damage_is_noticed(
+            body in prop::collection::vec(any::<u8>(), 0..200),
+            at in any::<usize>(),
+            x in 1u8..,
+            cut in 0usize..3,
+        ) {
             let mut bytes = value(&[(HEADER, b"head"), (9, b"optional"), (BODY, &body)]);
             let n = bytes.len();
             bytes[at % n] ^= x;

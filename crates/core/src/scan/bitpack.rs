@@ -218,7 +218,11 @@ mod tests {
         }
 
         #[test]
-        fn damaged_bytes_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..400), count in 0usize..5000, led: bool) {
+        fn damaged_bytes_never_panic(
+            bytes in prop::collection::vec(any::<u8>(), 0..400),
+            count in 0usize..5000,
+            led: bool,
+        ) {
             let lead = vec![7; count];
             let _ = unpack(&mut Reader::new(&bytes, "t"), count, led.then_some(&lead[..]));
         }

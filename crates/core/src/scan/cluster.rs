@@ -1,36 +1,26 @@
 //! Cutting points that were not seen from one place into patches: by place.
 
-use super::{Content, MAX_BEAMS};
+use super::beam::MAX_BEAMS;
+use super::content::Content;
+use super::halve::halve;
 use crate::geometry::{Aabb, Vec3};
-use crate::{Interrupt, Result, poll};
+use crate::{Interrupt, Result};
 
 /// Cuts points into clusters of at most [`MAX_BEAMS`] that lie together: halved across the longest side of their box
 /// until they are small. Each is a list of point numbers in the order given; every point is in exactly one.
 pub fn clusters(points: &[Vec3], interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
     let mut all: Vec<u32> = (0..points.len() as u32).collect();
     let mut out = Vec::new();
-    split(points, &mut all, &mut out, interrupt)?;
-    Ok(out)
-}
-
-fn split(points: &[Vec3], own: &mut [u32], out: &mut Vec<Vec<u32>>, interrupt: Interrupt) -> Result<()> {
-    poll(interrupt)?;
-    if own.len() <= MAX_BEAMS {
-        if !own.is_empty() {
-            own.sort_unstable();
-            out.push(own.to_vec());
+    let at = |i: &u32, axis: usize| points[*i as usize][axis];
+    let wide = |own: &[u32]| {
+        if own.len() <= MAX_BEAMS {
+            return None;
         }
-        return Ok(());
-    }
-    let b = Aabb::around(own.iter().map(|&i| &points[i as usize]));
-    let axis = (0..3).max_by(|&i, &j| (b.max[i] - b.min[i]).total_cmp(&(b.max[j] - b.min[j]))).unwrap_or(0);
-    let tiles = own.len().div_ceil(MAX_BEAMS);
-    let middle = own.len() * (tiles / 2) / tiles;
-    let at = |i: &u32| points[*i as usize][axis];
-    own.select_nth_unstable_by(middle, |a, b| at(a).total_cmp(&at(b)).then(a.cmp(b)));
-    let (low, high) = own.split_at_mut(middle);
-    split(points, low, out, interrupt)?;
-    split(points, high, out, interrupt)
+        let b = Aabb::around(own.iter().map(|&i| &points[i as usize]));
+        (0..3).max_by(|&i, &j| (b.max[i] - b.min[i]).total_cmp(&(b.max[j] - b.min[j])))
+    };
+    halve(&mut all, &|&i| i, &at, &wide, &mut out, interrupt)?;
+    Ok(out)
 }
 
 /// Distance between neighbouring points, metres, when it is not given: points lie on surfaces, and a surface covers

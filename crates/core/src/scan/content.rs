@@ -1,19 +1,8 @@
 //! The beams of a patch, unpacked, with what else was measured of each.
 
-use super::cluster::{angular_spacing, clusters, spacing};
-use super::tile::{mean_step, tiles};
-use super::{Header, Origins};
+use super::beam::Beam;
 use crate::geometry::Vec3;
-use crate::{Grow, Interrupt, Result, room};
-
-/// One laser beam relative to its origin.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Beam {
-    /// From the origin to the return, metres; for a beam without return any vector along it.
-    pub offset: Vec3,
-    /// Whether something came back.
-    pub returned: bool,
-}
+use crate::{Grow, Interrupt, Result};
 
 /// Beams with their optional attributes; an attribute that is present has one value per beam.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -94,34 +83,5 @@ impl Content {
         let more = self.len() - before;
         self.intensity.iter_mut().for_each(|plane| plane.extend(std::iter::repeat_n(0, more)));
         self.colour.iter_mut().for_each(|plane| plane.extend(std::iter::repeat_n([0; 3], more)));
-    }
-
-    /// Cuts the beams into patches of neighbours, each a list of beam numbers: by direction where they start at one place,
-    /// else by where they end. A beam of one origin and zero length is in none.
-    pub fn cut(&self, origins: Origins, interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
-        match origins {
-            Origins::One => tiles(&self.beams, interrupt),
-            Origins::Each | Origins::Unknown => {
-                room::<Vec3>(self.len(), interrupt)?;
-                clusters(&(0..self.len()).map(|i| self.end(i)).collect::<Vec<Vec3>>(), interrupt)
-            }
-        }
-    }
-
-    /// The step of a patch of these beams ([`super::Setting::step`]) when it is not given.
-    pub fn step(&self, origins: Origins) -> f64 {
-        match origins {
-            Origins::One => mean_step(&self.beams),
-            Origins::Each => angular_spacing(self),
-            Origins::Unknown => spacing(self.beams.iter().map(|b| &b.offset)),
-        }
-    }
-
-    /// The flags of the attributes that are present.
-    pub(super) fn plane_flags(&self) -> u8 {
-        let flag = |there: bool, flag: u8| if there { flag } else { 0 };
-        flag(self.starts.is_some(), Header::FLAG_ORIGIN_EACH)
-            | flag(self.intensity.is_some(), Header::FLAG_INTENSITY)
-            | flag(self.colour.is_some(), Header::FLAG_COLOUR)
     }
 }

@@ -3,11 +3,15 @@
 
 use std::collections::HashSet;
 
-use super::{Content, Header, MAX_BEAMS, Origins, Patch};
+use super::beam::MAX_BEAMS;
+use super::content::Content;
+use super::header::Header;
+use super::origins::Origins;
+use super::patch::Patch;
 use crate::error::{Error, Limited, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::uncertain::Pose;
-use crate::{Interrupt, poll, poll_now_and_then};
+use crate::{Interrupt, poll_now_and_then};
 
 /// Most beams cut anew in one call: they are in memory, unpacked.
 const MAX_RETILED: usize = 10_000_000;
@@ -73,16 +77,12 @@ impl Patch {
     /// The beams of many patches of one station, cut anew into tiles of neighbours.
     pub fn retiled(patches: &[&[u8]], interrupt: Interrupt) -> Result<Vec<Self>> {
         let Some((header, content)) = joined(patches, MAX_RETILED, interrupt)? else { return Ok(Vec::new()) };
-        let pack = |tile: &Vec<u32>| {
-            poll(interrupt)?;
-            Self::pack(&header.setting(), &content.select(tile))
-        };
-        content.cut(header.origins(), interrupt)?.iter().map(pack).collect()
+        content.packed(header.origins(), interrupt, |_| header.setting())
     }
 }
 
-/// All beams of patches of one station, from the first one's origin, at the finest quantum of all; `None` where there is
-/// no patch.
+/// All beams of patches of one station, from the first one's origin, at the finest quantum of all; `None` where there
+/// is no patch.
 fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option<(Header, Content)>> {
     let mut all: Option<(Header, Content)> = None;
     for (i, bytes) in patches.iter().enumerate() {
@@ -111,25 +111,6 @@ fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option
         joint.append(content, interrupt)?;
     }
     Ok(all)
-}
-
-impl Header {
-    /// Whether a beam of the patch can come within `margin` metres of a box: by cone and range, against the ball around
-    /// the box. Never false where a beam does.
-    pub fn sees(&self, bounds: &Aabb, margin: f64) -> bool {
-        match self.origins() {
-            Origins::One => {}
-            Origins::Each => return self.hull.expanded(margin).overlaps(bounds),
-            Origins::Unknown => return self.points.expanded(margin).overlaps(bounds),
-        }
-        let offset = bounds.centre() - self.origin;
-        // Room for rounding: of differences of coordinates, and of the header's single precision.
-        let rounding = 1e-6 + 1e-9 * self.origin.amax().max(bounds.centre().amax());
-        let radius = 0.5 * bounds.expanded(margin).diagonal() + rounding;
-        let returns = if self.returns > 0 { f64::from(self.range[1]) } else { 0.0 };
-        let reach = if self.flags & Self::FLAG_NO_RETURNS != 0 { f64::INFINITY } else { returns };
-        offset.norm() - radius <= reach && self.cone.meets_ball(&offset, radius, 1e-7)
-    }
 }
 
 #[cfg(test)]
@@ -203,7 +184,13 @@ mod tests {
     proptest! {
         /// Brute force: a beam that comes near the box is never missed.
         #[test]
-        fn sees_whatever_a_beam_comes_near(x in 0.0..8.0f64, y in -3.0..3.0f64, z in -3.0..3.0f64, side in 0.01..1.0f64, margin in 0.0..0.3f64) {
+        fn sees_whatever_a_beam_comes_near(
+            x in 0.0..8.0f64,
+            y in -3.0..3.0f64,
+            z in -3.0..3.0f64,
+            side in 0.01..1.0f64,
+            margin in 0.0..0.3f64,
+        ) {
             let bytes = patch();
             let (header, beams) = Patch::beams_of(&bytes).unwrap();
             let corner = header.origin + Vec3::new(x, y, z);

@@ -1,10 +1,14 @@
 //! From beams to the header and payload of a patch.
 
-use super::header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M, Origins};
-use super::tile::MAX_BEAMS;
-use super::{Beam, Cone, Content, bitpack, planes};
+use super::beam::{Beam, MAX_BEAMS};
+use super::cone::Cone;
+use super::content::Content;
+use super::header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M};
+use super::origins::Origins;
+use super::setting::Setting;
+use super::{bitpack, planes};
 use crate::error::{Error, Limited, Result};
-use crate::geometry::{Aabb, Vec3};
+use crate::geometry::{Aabb, Vec3, check_coordinates};
 
 /// A beam without return is stored as its direction, this long: fine enough to keep the direction to 5 µrad.
 const NO_RETURN_LENGTH_M: f64 = 20.0;
@@ -12,21 +16,6 @@ const NO_RETURN_LENGTH_M: f64 = 20.0;
 const MAX_HALF_ANGLE: f64 = 1.3;
 /// No axis leads: the points were not seen along beams.
 pub const NO_LEAD: u8 = 3;
-
-/// What the beams of a patch have in common.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Setting {
-    /// Where the beams start.
-    pub origins: Origins,
-    /// The scanner position's number, as the user keeps it.
-    pub station: i64,
-    /// The one origin of the beams, or a reference point near them; world metres.
-    pub origin: Vec3,
-    /// Angle between neighbouring beams, radians; for points without origin their spacing, metres.
-    pub step: f64,
-    /// Unit of the packed coordinates, metres.
-    pub quantum: f64,
-}
 
 /// Coordinates of a patch in quanta.
 struct Quanta {
@@ -54,7 +43,7 @@ pub fn encode(setting: &Setting, content: &Content) -> Result<(Header, Vec<u8>)>
     planes::pack(content, &mut payload);
     let no_origin = if setting.origins == Origins::Unknown { Header::FLAG_NO_ORIGIN } else { 0 };
     let no_returns = if all_returned { 0 } else { Header::FLAG_NO_RETURNS };
-    let flags = content.plane_flags() | no_origin | no_returns;
+    let flags = Header::flags_of(content) | no_origin | no_returns;
     let header = describe(flags, setting, &quanta.restored(content, setting.quantum))?;
     Ok((header, payload))
 }
@@ -110,10 +99,7 @@ pub fn check(setting: &Setting, content: &Content) -> Result<()> {
     one_a_beam("the colours", content.colour.as_ref().map(Vec::len), n)?;
     let starts = content.starts.iter().flatten().flat_map(|s| s.iter());
     let offsets = content.beams.iter().flat_map(|b| b.offset.iter());
-    match setting.origin.iter().chain(offsets).chain(starts).find(|x| !(-1e9..=1e9).contains(*x)) {
-        Some(x) => Err(Error::argument("a scan coordinate", "finite and within 1e9 m", x)),
-        None => Ok(()),
-    }
+    check_coordinates("a scan coordinate", setting.origin.iter().chain(offsets).chain(starts))
 }
 
 fn one_a_beam(what: &'static str, given: Option<usize>, beams: usize) -> Result<()> {

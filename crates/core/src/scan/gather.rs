@@ -1,10 +1,14 @@
 //! Patches from rows that arrive one by one: the state of SQL's `ab_scan_agg`.
 
-use super::{Beam, Content, Origins, Patch, Setting};
+use super::beam::Beam;
+use super::content::Content;
+use super::origins::Origins;
+use super::patch::Patch;
+use super::setting::Setting;
 use crate::error::{Error, Limited, Result};
-use crate::geometry::Vec3;
+use crate::geometry::{Vec3, check_coordinates};
 use crate::num::bytes::{Put, Reader};
-use crate::{Grow, Interrupt, poll, room};
+use crate::{Grow, Interrupt, room};
 
 /// Most rows of one state: they are in memory, about 60 bytes each.
 pub const MAX_ROWS: usize = 10_000_000;
@@ -38,10 +42,7 @@ pub struct Gathered {
 impl Gathered {
     /// Adds a row. A second origin makes the rows those of a moving platform; a second station is an error.
     pub fn push(&mut self, station: i64, r: &Return, interrupt: Interrupt) -> Result<()> {
-        let coordinates = r.point.iter().chain(r.origin.iter().flatten());
-        if let Some(c) = coordinates.into_iter().find(|c| !(-1e9..=1e9).contains(*c)) {
-            return Err(Error::argument("a scan coordinate", "finite and within 1e9 m", c));
-        }
+        check_coordinates("a scan coordinate", r.point.iter().chain(r.origin.iter().flatten()))?;
         if self.has_rays.is_none() {
             let reference = r.origin.unwrap_or_else(|| r.point.map(f64::round));
             *self = Self { station, has_rays: Some(r.origin.is_some()), reference, content: Content::default() };
@@ -128,14 +129,11 @@ impl Gathered {
     /// Packed patches of neighbours: by direction from one origin, otherwise by place.
     pub fn patches(&self, interrupt: Interrupt) -> Result<Vec<Patch>> {
         let origins = self.origins();
-        let pack = |tile: &Vec<u32>| {
-            poll(interrupt)?;
-            let own = self.content.select(tile);
+        let (station, origin, quantum) = (self.station, self.reference, Patch::QUANTUM_M);
+        self.content.packed(origins, interrupt, |own| {
             let step = own.step(origins);
-            let (station, origin, quantum) = (self.station, self.reference, Patch::QUANTUM_M);
-            Patch::pack(&Setting { origins, station, origin, step, quantum }, &own)
-        };
-        self.content.cut(origins, interrupt)?.iter().map(pack).collect()
+            Setting { origins, station, origin, step, quantum }
+        })
     }
 
     /// For another process of this server.
@@ -221,7 +219,8 @@ mod tests {
                 prop_assert_eq!((h.station, h.origins()), (3, merged.origins()));
                 for i in 0..c.len() {
                     let start = (kind > 0).then(|| h.origin + c.start(i));
-                    back.push((c.intensity.as_ref().unwrap()[i], c.colour.as_ref().unwrap()[i], h.origin + c.end(i), start));
+                    let (intensity, colour) = (c.intensity.as_ref().unwrap()[i], c.colour.as_ref().unwrap()[i]);
+                    back.push((intensity, colour, h.origin + c.end(i), start));
                 }
             }
             back.sort_by_key(|r| r.0);

@@ -1,6 +1,9 @@
 //! What a patch tells without its payload.
 
-use super::{Cone, Setting};
+use super::cone::Cone;
+use super::content::Content;
+use super::origins::Origins;
+use super::setting::Setting;
 use crate::NEVER;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
@@ -14,17 +17,6 @@ pub(super) const TY: &str = "ab_scan";
 pub const JOIN_MARGIN_M: f64 = 0.25;
 /// A beam without return counts as having looked this far; the hull of a patch extends to there.
 pub const NO_RETURN_REACH_M: f64 = 30.0;
-
-/// Where the beams of a patch start.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Origins {
-    /// All at the patch's origin: a scanner on a tripod.
-    One,
-    /// Each at its own place: a moving platform.
-    Each,
-    /// Nobody knows (dense matching, merged clouds): the points say "occupied", never "empty".
-    Unknown,
-}
 
 /// Header of a patch: fixed size, readable alone.
 ///
@@ -91,10 +83,35 @@ impl Header {
         }
     }
 
+    /// The flags of the planes that beams have.
+    pub(super) fn flags_of(content: &Content) -> u8 {
+        let flag = |there: bool, flag: u8| if there { flag } else { 0 };
+        flag(content.starts.is_some(), Self::FLAG_ORIGIN_EACH)
+            | flag(content.intensity.is_some(), Self::FLAG_INTENSITY)
+            | flag(content.colour.is_some(), Self::FLAG_COLOUR)
+    }
+
     /// What the beams have in common.
     pub fn setting(&self) -> Setting {
         let (station, origin, quantum) = (self.station, self.origin, self.quantum);
         Setting { origins: self.origins(), station, origin, step: f64::from(self.step), quantum }
+    }
+
+    /// Whether a beam of the patch can come within `margin` metres of a box: by cone and range, against the ball around
+    /// the box. Never says no where one does.
+    pub fn sees(&self, bounds: &Aabb, margin: f64) -> bool {
+        match self.origins() {
+            Origins::One => {}
+            Origins::Each => return self.hull.expanded(margin).overlaps(bounds),
+            Origins::Unknown => return self.points.expanded(margin).overlaps(bounds),
+        }
+        let offset = bounds.centre() - self.origin;
+        // Room for rounding: of differences of coordinates, and of the header's single precision.
+        let rounding = 1e-6 + 1e-9 * self.origin.amax().max(bounds.centre().amax());
+        let radius = 0.5 * bounds.expanded(margin).diagonal() + rounding;
+        let returns = if self.returns > 0 { f64::from(self.range[1]) } else { 0.0 };
+        let reach = if self.flags & Self::FLAG_NO_RETURNS != 0 { f64::INFINITY } else { returns };
+        offset.norm() - radius <= reach && self.cone.meets_ball(&offset, radius, 1e-7)
     }
 
     /// Whether two headers say the same, except for rounding in the last digits of what is computed.
@@ -154,7 +171,8 @@ impl Header {
         }
     }
 
-    /// What follows the flags; `is_flat`: with length and checksum of the payload and a pad, as versions 1 and 2 have them.
+    /// What follows the flags; `is_flat`: with length and checksum of the payload and a pad, as versions 1 and 2 have
+    /// them.
     fn read_fields(flags: u8, mut r: Reader, is_flat: bool) -> Result<Self> {
         let [beams, returns] = [r.u32()?, r.u32()?];
         r.take(if is_flat { 8 } else { 0 })?;

@@ -5,29 +5,58 @@
 //! [`View`] is the decoded tile as a small range image, in which "which beams pass near this point" is a question of
 //! two angles. Two other kinds are the same type on slower paths: beams of a moving platform, each with an origin of
 //! its own, and points whose origin is unknown ([`Origins`]).
+//!
+//! Read in this order:
+//!
+//! * [`beam`]: one laser beam;
+//! * [`content`]: many of them, with what else was measured of each;
+//! * [`cone`]: the directions of a tile;
+//! * [`origins`]: where the beams of a patch start;
+//! * [`setting`]: what they have in common;
+//! * [`header`]: what a patch tells without its payload;
+//! * [`bitpack`]: columns of whole numbers, packed;
+//! * [`planes`]: intensity and colour, packed;
+//! * [`encode`]: from beams to header and payload;
+//! * [`patch`]: the packed tile;
+//! * [`halve`]: lists halved until their parts are patches;
+//! * [`tile`]: cutting by direction;
+//! * [`cluster`]: cutting by place;
+//! * [`cut`]: either, and the patches that come of it;
+//! * [`platform`]: patches of a moving platform as patches of one origin;
+//! * [`angular_grid`]: directions sorted into cells;
+//! * [`view`]: the decoded tile as a range image;
+//! * [`gather`]: patches from rows;
+//! * [`edit`]: patches from patches.
 
 mod angular_grid;
+mod beam;
 mod bitpack;
 mod cluster;
 mod cone;
 mod content;
+mod cut;
 mod edit;
 mod encode;
 mod gather;
+mod halve;
 mod header;
+mod origins;
 mod patch;
 mod planes;
 mod platform;
+mod setting;
 mod tile;
 mod view;
 
 pub(crate) use angular_grid::AngularGrid;
+pub use beam::{Beam, MAX_BEAMS};
 pub use cone::Cone;
-pub use content::{Beam, Content};
-pub use encode::{Setting, check_count};
+pub use content::Content;
+pub use encode::check_count;
 pub use gather::{Gathered, Return};
-pub use header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M, Origins};
+pub use header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M};
+pub use origins::Origins;
 pub use patch::Patch;
 pub use platform::by_origin;
-pub use tile::MAX_BEAMS;
+pub use setting::Setting;
 pub use view::View;

@@ -1,9 +1,12 @@
 //! A packed angular tile of beams: SQL's `ab_scan`.
 
-use super::encode::{NO_LEAD, Setting, check, describe, encode};
-use super::header::{Header, Origins, TY};
-use super::tile::MAX_BEAMS;
-use super::{Beam, Content, bitpack, planes};
+use super::beam::{Beam, MAX_BEAMS};
+use super::content::Content;
+use super::encode::{NO_LEAD, check, describe, encode};
+use super::header::{Header, TY};
+use super::origins::Origins;
+use super::setting::Setting;
+use super::{bitpack, planes};
 use crate::NEVER;
 use crate::error::{Error, Result};
 use crate::geometry::Vec3;
@@ -33,13 +36,6 @@ impl Patch {
     pub fn encode(station: i64, origin: Vec3, step: f64, quantum: f64, beams: &[Beam]) -> Result<Self> {
         let setting = Setting { origins: Origins::One, station, origin, step, quantum };
         Self::pack(&setting, &Content::of(beams.to_vec()))
-    }
-
-    /// Packs points that were not seen from one place, relative to `reference`; `spacing` in metres.
-    pub fn encode_cloud(station: i64, reference: Vec3, spacing: f64, quantum: f64, points: &[Vec3]) -> Result<Self> {
-        let setting = Setting { origins: Origins::Unknown, station, origin: reference, step: spacing, quantum };
-        let beam = |p: &Vec3| Beam { offset: p - reference, returned: true };
-        Self::pack(&setting, &Content::of(points.iter().map(beam).collect()))
     }
 
     /// The header.
@@ -173,7 +169,8 @@ mod tests {
 
         #[test]
         fn damage_is_noticed(at in 0usize..10_000, x in 1u8.., cut in 0usize..3) {
-            let beams: Vec<Beam> = (0..500).map(|i| Beam { offset: Vec3::new(5.0, 0.01 * f64::from(i), 0.3), returned: i % 50 != 0 }).collect();
+            let offset = |i: i32| Vec3::new(5.0, 0.01 * f64::from(i), 0.3);
+            let beams: Vec<Beam> = (0..500).map(|i| Beam { offset: offset(i), returned: i % 50 != 0 }).collect();
             let good = Patch::encode(1, Vec3::zeros(), 2e-3, 1e-4, &beams).unwrap().to_bytes();
             let mut bytes = good.clone();
             let n = bytes.len();
@@ -195,7 +192,13 @@ mod tests {
     proptest! {
         /// Ends of moving beams are kept as precisely as those of one origin, and attributes to the bit.
         #[test]
-        fn planes_round_trip(readings in prop::collection::vec(any_reading(), 1..300), intensity: bool, colour: bool, at in any::<usize>(), x in 1u8..) {
+        fn planes_round_trip(
+            readings in prop::collection::vec(any_reading(), 1..300),
+            intensity: bool,
+            colour: bool,
+            at in any::<usize>(),
+            x in 1u8..,
+        ) {
             let vec = |(x, y, z): (f64, f64, f64)| Vec3::new(x, y, z);
             let content = Content {
                 starts: Some(readings.iter().map(|r| vec(r.0)).collect()),
@@ -230,7 +233,11 @@ mod tests {
         /// Even where the checksum is right, a nonsensical payload gives an error or beams, and takes no memory beyond
         /// them.
         #[test]
-        fn nonsense_under_a_right_checksum(payload in prop::collection::vec(any::<u8>(), 0..600), flags in 0u8..32, n in 1u32..5000) {
+        fn nonsense_under_a_right_checksum(
+            payload in prop::collection::vec(any::<u8>(), 0..600),
+            flags in 0u8..32,
+            n in 1u32..5000,
+        ) {
             let beams = [Beam { offset: Vec3::new(5.0, 0.0, 0.3), returned: true }];
             let mut header = Patch::encode(1, Vec3::zeros(), 2e-3, 1e-4, &beams).unwrap().header().clone();
             (header.flags, header.beams) = (flags, n);

@@ -1,7 +1,8 @@
 //! The optional attributes stored behind the beams: starts, intensity, colour.
 
 use super::bitpack;
-use super::{Content, Header};
+use super::content::Content;
+use super::header::Header;
 use crate::error::Result;
 use crate::num::bytes::Reader;
 

@@ -2,9 +2,13 @@
 
 use std::collections::BTreeMap;
 
+use super::beam::Beam;
+use super::content::Content;
 use super::encode::describe;
+use super::header::Header;
+use super::origins::Origins;
+use super::setting::Setting;
 use super::tile::tiles;
-use super::{Beam, Content, Header, Origins, Setting};
 use crate::NEVER;
 use crate::error::Result;
 

@@ -1,11 +1,11 @@
 //! Cutting a scan into angular tiles.
 
-use super::{Beam, Cone};
+use super::beam::{Beam, MAX_BEAMS};
+use super::cone::Cone;
+use super::halve::halve;
 use crate::geometry::Vec3;
-use crate::{Interrupt, Result, poll, poll_now_and_then};
+use crate::{Interrupt, Result, poll_now_and_then};
 
-/// Most beams of a tile.
-pub const MAX_BEAMS: usize = 4096;
 /// Widest tile on the cube map, about 1 rad: sparse scans get more and smaller tiles rather than wide cones.
 const MAX_EXTENT: f64 = 1.0;
 
@@ -24,7 +24,7 @@ pub fn tiles(beams: &[Beam], interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
     }
     let mut out = Vec::new();
     for face in &mut faces {
-        split(face, &mut out, interrupt)?;
+        halve(face, &|p| p.beam, &|p, axis| p.uv[axis], &wide, &mut out, interrupt)?;
     }
     Ok(out)
 }
@@ -70,31 +70,16 @@ fn cube_map(v: &Vec3) -> Option<(usize, [f64; 2])> {
     Some((face, [v[(axis + 1) % 3] / top, v[(axis + 2) % 3] / top]))
 }
 
-fn split(places: &mut [Place], out: &mut Vec<Vec<u32>>, interrupt: Interrupt) -> Result<()> {
-    poll(interrupt)?;
-    if places.is_empty() {
-        return Ok(());
-    }
+/// The longer side of a tile that is too large.
+fn wide(places: &[Place]) -> Option<usize> {
     let side = |k: usize| {
         let (lo, hi) =
             places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), p| (lo.min(p.uv[k]), hi.max(p.uv[k])));
         hi - lo
     };
     let extent = [side(0), side(1)];
-    if places.len() <= MAX_BEAMS && extent[0].max(extent[1]) <= MAX_EXTENT {
-        let mut tile: Vec<u32> = places.iter().map(|p| p.beam).collect();
-        tile.sort_unstable();
-        out.push(tile);
-        return Ok(());
-    }
-    let k = usize::from(extent[1] > extent[0]);
-    // Share out whole tiles, so that the last ones are not half empty.
-    let tiles = places.len().div_ceil(MAX_BEAMS).max(2);
-    let middle = (places.len() * (tiles / 2) / tiles).clamp(1, places.len() - 1);
-    places.select_nth_unstable_by(middle, |a, b| a.uv[k].total_cmp(&b.uv[k]).then(a.beam.cmp(&b.beam)));
-    let (low, high) = places.split_at_mut(middle);
-    split(low, out, interrupt)?;
-    split(high, out, interrupt)
+    let is_tile = places.len() <= MAX_BEAMS && extent[0].max(extent[1]) <= MAX_EXTENT;
+    (!is_tile).then(|| usize::from(extent[1] > extent[0]))
 }
 
 #[cfg(test)]

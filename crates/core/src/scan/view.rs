@@ -1,7 +1,9 @@
 //! A decoded patch as a small range image.
 
 use super::angular_grid::AngularGrid;
-use super::{Beam, Cone, Header};
+use super::beam::Beam;
+use super::cone::Cone;
+use super::header::Header;
 use crate::geometry::Vec3;
 
 /// Beams of one origin, sorted into the cells of an angular grid.
@@ -93,7 +95,8 @@ mod tests {
             ends in prop::collection::vec((3.0..5.0f64, -1.0..1.0f64, -1.0..1.0f64), 1..500),
             a in (-0.4..0.4f64, -0.4..0.4f64), size in (0.0..0.3f64, 0.0..0.3f64))
         {
-            let beams: Vec<Beam> = ends.iter().map(|&(x, y, z)| Beam { offset: Vec3::new(x, y, z), returned: true }).collect();
+            let beam = |&(x, y, z)| Beam { offset: Vec3::new(x, y, z), returned: true };
+            let beams: Vec<Beam> = ends.iter().map(beam).collect();
             let bytes = Patch::encode(0, Vec3::zeros(), 5e-3, 1e-4, &beams).unwrap().to_bytes();
             let (header, content) = Patch::beams_of(&bytes).unwrap();
             let (beams, view) = (&content.beams, View::new(header, &content.beams));

@@ -6,9 +6,11 @@
 
 use nalgebra::{Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, Vector2, Vector3, Vector4};
 
+use super::covariance::propagate;
+use super::line::LEAST_LENGTH_M;
 use super::{Line, Plane, Point, Stored};
 use crate::error::{Error, Result};
-use crate::geometry::{Aabb, Vec3};
+use crate::geometry::{Aabb, Vec3, perpendiculars};
 use crate::num::eigen;
 use crate::{Interrupt, poll_now_and_then};
 
@@ -17,13 +19,6 @@ const ROUNDS: usize = 10;
 const LEAST_SD_M: f64 = 1e-6;
 /// The points must spread by this fraction of their length in a direction to determine a direction across it.
 const LEAST_SPREAD: f64 = 1e-6;
-
-/// Two unit vectors that make a right-handed frame with `axis`.
-pub(super) fn across(axis: &Vec3) -> [Vec3; 2] {
-    let helper = if axis.z.abs() < 0.9 { Vec3::z() } else { Vec3::x() };
-    let r = helper.cross(axis).normalize();
-    [r, axis.cross(&r)]
-}
 
 struct Start {
     centre: Vec3,
@@ -68,14 +63,14 @@ impl Start {
 /// The plane that fits best, its normal's largest component positive.
 pub fn plane(points: &[Point], interrupt: Interrupt) -> Result<Plane> {
     let start = Start::of(points, "the best-fit plane", 3, interrupt)?;
-    if start.spread[1] <= (LEAST_SPREAD * start.spread[0]).max(super::join::LEAST_LENGTH_M) {
+    if start.spread[1] <= (LEAST_SPREAD * start.spread[0]).max(LEAST_LENGTH_M) {
         let reason = "the points lie on one line".into();
         return Err(Error::Degenerate { what: "the best-fit plane", reason });
     }
     let (mut c, mut n) = (start.centre, start.axes[2]);
     let mut inverse = Matrix3::zeros();
     for _ in 0..ROUNDS {
-        let [r, s] = across(&n);
+        let [r, s] = perpendiculars(&n);
         let (mut normal_matrix, mut right) = (Matrix3::zeros(), Vector3::zeros());
         for (i, p) in points.iter().enumerate() {
             poll_now_and_then(i, interrupt)?;
@@ -97,12 +92,12 @@ pub fn plane(points: &[Point], interrupt: Interrupt) -> Result<Plane> {
         let sum: f64 = points.iter().map(|p| n.dot(&(p.position - c)).powi(2)).sum();
         inverse *= sum / (points.len() as f64 - 3.0).max(1.0);
     }
-    let [r, s] = across(&n);
+    let [r, s] = perpendiculars(&n);
     let mut j = SMatrix::<f64, 4, 3>::zeros();
     j.fixed_view_mut::<3, 1>(0, 0).copy_from(&r);
     j.fixed_view_mut::<3, 1>(0, 1).copy_from(&s);
     j[(3, 2)] = 1.0;
-    let covariance = super::covariance::propagate(&j, &inverse);
+    let covariance = propagate(&j, &inverse);
     // With the normal, tilt and offset change their signs together: the covariance stays as it is.
     Plane::centred(c, if n[n.iamax()] > 0.0 { n } else { -n }, &covariance).built()
 }
@@ -110,7 +105,7 @@ pub fn plane(points: &[Point], interrupt: Interrupt) -> Result<Plane> {
 /// The line that fits best, from the foot of the first extreme point to that of the last, in the points' order.
 pub fn line(points: &[Point], interrupt: Interrupt) -> Result<Line> {
     let start = Start::of(points, "the best-fit line", 2, interrupt)?;
-    if start.spread[0] <= super::join::LEAST_LENGTH_M {
+    if start.spread[0] <= LEAST_LENGTH_M {
         let reason = "the points lie in one place".into();
         return Err(Error::Degenerate { what: "the best-fit line", reason });
     }
@@ -121,7 +116,7 @@ pub fn line(points: &[Point], interrupt: Interrupt) -> Result<Line> {
     let mut inverse = Matrix4::zeros();
     let mut sum = 0.0;
     for _ in 0..ROUNDS {
-        let [r, s] = across(&d);
+        let [r, s] = perpendiculars(&d);
         let b = SMatrix::<f64, 3, 2>::from_columns(&[r, s]);
         let (mut normal_matrix, mut right) = (Matrix4::zeros(), Vector4::zeros());
         sum = 0.0;
@@ -151,7 +146,7 @@ pub fn line(points: &[Point], interrupt: Interrupt) -> Result<Line> {
 /// The segment between the feet of the two extreme points. Along the line an end is as uncertain as its point, whose
 /// errors across the line moved the fit too.
 fn between_extremes(points: &[Point], c: &Vec3, d: &Vec3, inverse: &Matrix4<f64>, exact: bool) -> Result<Line> {
-    let [r, s] = across(d);
+    let [r, s] = perpendiculars(d);
     let place = |p: &Point| (p.position - c).dot(d);
     let order = |a: &&Point, b: &&Point| place(a).total_cmp(&place(b));
     let (Some(first), Some(last)) = (points.iter().min_by(order), points.iter().max_by(order)) else {
@@ -175,7 +170,7 @@ fn between_extremes(points: &[Point], c: &Vec3, d: &Vec3, inverse: &Matrix4<f64>
             joint[(4 + k, 4 + k)] = d.dot(&(end.covariance * d));
         }
     }
-    let covariance = super::covariance::propagate(&j, &joint);
+    let covariance = propagate(&j, &joint);
     Line { start: c + d * place(first), end: c + d * place(last), covariance }.built()
 }
 

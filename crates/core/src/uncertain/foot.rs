@@ -35,7 +35,8 @@ pub fn on_line(point: &Point, line: &Line) -> Point {
     }
 }
 
-/// Derivatives of the foot by the point and by (start, end): with t = (x−a)·u/u², δt = [(δx−δa)·u + (x−a)·δu − 2t u·δu]/u².
+/// Derivatives of the foot by the point and by (start, end): with t = (x−a)·u/u², δt = [(δx−δa)·u + (x−a)·δu − 2t
+/// u·δu]/u².
 pub(super) fn jacobians(x: &Vec3, line: &Line) -> (Matrix3<f64>, SMatrix<f64, 3, 6>) {
     let (a, u) = (line.start, line.span());
     let t = parameter(x, line);

@@ -3,12 +3,11 @@
 use nalgebra::{Matrix3, Matrix6, SMatrix};
 
 use super::covariance::propagate;
+use super::line::LEAST_LENGTH_M;
 use super::{Line, Plane, Point, Stored};
 use crate::error::{Error, Result};
 use crate::geometry::Vec3;
 
-/// Points nearer than this do not determine a direction, metres: the rounding of projected coordinates.
-pub(super) const LEAST_LENGTH_M: f64 = 1e-8;
 /// Least sine of the angle between two sides of a triangle that determines a plane.
 const LEAST_SINE: f64 = 1e-8;
 

@@ -2,12 +2,14 @@
 
 use nalgebra::{Matrix6, SMatrix, Vector6};
 
+use super::Point;
 use super::covariance::{self, propagate};
-use super::point::check_coordinates;
 use super::stored::{Stored, get_triangle, put_triangle};
-use super::{Point, join};
 use crate::error::{Error, Result};
-use crate::geometry::{Aabb, Vec3};
+use crate::geometry::{Aabb, Vec3, check_coordinates};
+
+/// Points nearer than this do not determine a direction, metres: the rounding of projected coordinates.
+pub(super) const LEAST_LENGTH_M: f64 = 1e-8;
 
 /// Two end points, metres, and their joint covariance, m².
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,7 +31,7 @@ impl Line {
 
     /// The same line, unless its ends coincide.
     pub(super) fn with_length(self) -> Result<Self> {
-        if self.span().norm() > join::LEAST_LENGTH_M {
+        if self.span().norm() > LEAST_LENGTH_M {
             return Ok(self);
         }
         let reason = format!("its end points are {:e} m apart", self.span().norm());
@@ -111,8 +113,8 @@ impl Stored<27> for Line {
     }
 
     fn checked(self) -> Result<Self> {
-        check_coordinates(&self.start)?;
-        check_coordinates(&self.end)?;
+        check_coordinates("a coordinate", &self.start)?;
+        check_coordinates("a coordinate", &self.end)?;
         covariance::checked("the covariance of the line", &self.covariance)?;
         self.with_length()
     }

@@ -1,8 +1,18 @@
 //! Geometry that carries its covariance (Förstner & Wrobel, *Photogrammetric Computer Vision*, 2016; Heuel 2004).
 //!
+//! Read in this order:
+//!
 //! * [`covariance`]: symmetric, positive semi-definite; propagated by Jacobians, asked by quadratic forms;
-//! * [`Point`], [`Line`], [`Plane`], [`Pose`]: the values, each stored as plain numbers ([`Stored`]);
-//! * [`join`]: lines and planes through points; [`intersect`]; [`foot`] points; [`distance`]s; best [`fit`]s;
+//! * [`stored`]: values as plain numbers ([`Stored`]);
+//! * [`point`]: a point;
+//! * [`line`]: a segment between two;
+//! * [`plane`]: a plane about its centroid;
+//! * [`pose`]: a rigid or similarity transform;
+//! * [`join`]: lines and planes through points;
+//! * [`intersect`]: where lines and planes meet;
+//! * [`foot`]: nearest points;
+//! * [`distance`]: how far apart;
+//! * [`fit`]: best lines and planes through many points;
 //! * [`transform`]: everything through an uncertain pose;
 //! * [`test`]: is it the same, incident, parallel, orthogonal, coplanar? χ² tests.
 //!

@@ -3,10 +3,10 @@
 use nalgebra::{Matrix3, Matrix4, Vector4};
 
 use super::covariance;
-use super::point::{check_coordinates, checked_sd};
+use super::point::checked_sd;
 use super::stored::{Stored, get_triangle, put_triangle};
 use crate::error::{Error, Result};
-use crate::geometry::Vec3;
+use crate::geometry::{Vec3, check_coordinates};
 use crate::num::eigen;
 
 /// A plane through `point` with unit `normal` (Förstner & Wrobel 2016, 10.2.2.3).
@@ -116,7 +116,7 @@ impl Stored<16> for Plane {
     }
 
     fn checked(mut self) -> Result<Self> {
-        check_coordinates(&self.point)?;
+        check_coordinates("a coordinate", &self.point)?;
         let length = self.normal.norm();
         if (length - 1.0).abs() > 1e-6 || !length.is_finite() {
             return Err(Error::argument("the plane's normal", "of unit length", length));

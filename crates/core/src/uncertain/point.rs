@@ -5,11 +5,8 @@ use nalgebra::Matrix3;
 use super::covariance;
 use super::stored::{Stored, get_triangle, put_triangle};
 use crate::error::{Error, Result};
-use crate::geometry::{Aabb, Vec3};
+use crate::geometry::{Aabb, Vec3, check_coordinates};
 use crate::num::eigen;
-
-/// Largest coordinate of an uncertain object, metres.
-pub(super) const MAX_COORDINATE_M: f64 = 1e9;
 
 /// A point, metres, and its covariance, m².
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,16 +73,9 @@ impl Stored<9> for Point {
     }
 
     fn checked(self) -> Result<Self> {
-        check_coordinates(&self.position)?;
+        check_coordinates("a coordinate", &self.position)?;
         covariance::checked("the covariance of the point", &self.covariance)?;
         Ok(self)
-    }
-}
-
-pub(super) fn check_coordinates(p: &Vec3) -> Result<()> {
-    match p.iter().find(|c| !(-MAX_COORDINATE_M..=MAX_COORDINATE_M).contains(*c)) {
-        Some(c) => Err(Error::argument("a coordinate", "finite and within 1e9 m", c)),
-        None => Ok(()),
     }
 }
 

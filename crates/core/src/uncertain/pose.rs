@@ -3,10 +3,10 @@
 use nalgebra::{Matrix3, Quaternion, SMatrix, UnitQuaternion};
 
 use super::covariance;
-use super::point::{check_coordinates, checked_sd};
+use super::point::checked_sd;
 use super::stored::{Stored, get_triangle, put_triangle};
 use crate::error::{Error, Result};
-use crate::geometry::Vec3;
+use crate::geometry::{Vec3, check_coordinates};
 
 /// Covariance of rotation, translation and scale.
 pub type Matrix7 = SMatrix<f64, 7, 7>;
@@ -106,7 +106,7 @@ impl Stored<36> for Pose {
     }
 
     fn checked(mut self) -> Result<Self> {
-        check_coordinates(&self.translation)?;
+        check_coordinates("a coordinate", &self.translation)?;
         let length = self.rotation.quaternion().norm();
         if (length - 1.0).abs() > 1e-6 || !length.is_finite() {
             return Err(Error::argument(

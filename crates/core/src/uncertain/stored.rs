@@ -2,8 +2,8 @@
 
 use nalgebra::SMatrix;
 
-use super::point::MAX_COORDINATE_M;
 use crate::error::{Error, Result};
+use crate::geometry::check_coordinates;
 use crate::num::text::number;
 
 /// A value of `N` numbers.
@@ -34,11 +34,7 @@ pub trait Stored<const N: usize>: Sized {
     /// The same value if its numbers are finite and its coordinates within 1e9 m, which a construction may violate.
     fn in_range(self) -> Result<Self> {
         let numbers = self.to_numbers();
-        if let Some(c) =
-            numbers[..Self::COORDINATES].iter().find(|c| !(-MAX_COORDINATE_M..=MAX_COORDINATE_M).contains(*c))
-        {
-            return Err(Error::argument("a coordinate", "finite and within 1e9 m", c));
-        }
+        check_coordinates("a coordinate", &numbers[..Self::COORDINATES])?;
         match numbers.iter().find(|x| !x.is_finite()) {
             Some(x) => Err(Error::argument("a covariance", "finite", x)),
             None => Ok(self),

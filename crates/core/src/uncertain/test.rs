@@ -1,14 +1,13 @@
 //! Statistical tests of relations between uncertain objects (Heuel 2004, ch. 4; Förstner & Wrobel 2016, 10.4).
 //!
-//! Each takes as null hypothesis that the relation holds, and gives χ² = rᵀΣ⁺r of a residual r that is then zero. The two
-//! objects are taken as independent of each other.
+//! Each takes as null hypothesis that the relation holds, and gives χ² = rᵀΣ⁺r of a residual r that is then zero. The
+//! two objects are taken as independent of each other.
 
 use nalgebra::{Matrix1, Matrix2, Matrix3, RowVector6, SMatrix, SVector, Vector1, Vector2, Vector3};
 
 use super::covariance::{mahalanobis_squared, propagate};
-use super::fit::across;
 use super::{Line, Plane, Point, distance, foot};
-use crate::geometry::Vec3;
+use crate::geometry::{Vec3, perpendiculars};
 use crate::num::chi_square;
 
 /// Outcome of a test.
@@ -158,6 +157,6 @@ fn square((d, of_d): &Direction, (e, of_e): &Direction) -> Test {
 
 /// Two rows that make a right-handed frame with `axis`.
 fn basis(axis: &Vec3) -> SMatrix<f64, 2, 3> {
-    let [r, s] = across(axis);
+    let [r, s] = perpendiculars(axis);
     SMatrix::from_rows(&[r.transpose(), s.transpose()])
 }

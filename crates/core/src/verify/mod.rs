@@ -2,13 +2,13 @@
 //!
 //! Five rooms after the stages of the method, and the models that they share. A room uses only those before it:
 //!
-//! * `aim`: where the beams of a patch would meet a solid that was made ready (`Target`);
-//! * `model`: the parameters ([`EvidenceModel`]), and by kind of model how beams become integer sums and what these
+//! * [`aim`]: where the beams of a patch would meet a solid that was made ready (`Target`);
+//! * [`model`]: the parameters ([`EvidenceModel`]), and by kind of model how beams become integer sums and what these
 //!   state;
-//! * `evidence`: what is stored, [`Samples`] on the solid and the sums of each [`Station`] ([`Evidence`]);
-//! * `collect`: adding patches to the evidence of one solid ([`Collector`]) or of many ([`Verifier`]);
-//! * `surface`: from evidence to `Observations` of all seen samples, and the `FittedObject` that was built;
-//! * `verdict`: from there to a `Judgement` at one tolerance, and to a [`Summary`].
+//! * [`evidence`]: what is stored, [`Samples`] on the solid and the sums of each [`Station`] ([`Evidence`]);
+//! * [`collect`]: adding patches to the evidence of one solid ([`Collector`]) or of many ([`Verifier`]);
+//! * [`surface`]: from evidence to `Observations` of all seen samples, and the `FittedObject` that was built;
+//! * [`verdict`]: from there to a `Judgement` at one tolerance, and to a [`Summary`].
 //!
 //! So the data goes: solid + model → `Target` → [`Evidence`] → `Observations` → `FittedObject` → `Judgement`.
 //!
