@@ -31,3 +31,5 @@ pub use aabb::{BOX_LEN, box_bytes, box_from};
 pub use evidence_model::model_arg;
 pub use grid::grid_arg;
 pub use mass::{mass_arg, mass_bytes, mass_ret};
+pub use patch::beams;
+pub use summary::{shift_arg, summary_arg, summary_fields};

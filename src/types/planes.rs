@@ -4,7 +4,7 @@ use asbuilt_core::{Error, Result};
 
 use crate::pg::Args;
 
-/// Intensities of argument `i`, an `integer[]`; NULL, or no such argument (the SQL of 0.1.0), for none.
+/// Intensities of argument `i`, an `integer[]`; NULL, or no such argument (`_ab_scan_010`), for none.
 pub fn intensity(args: &Args, i: usize) -> Result<Option<Vec<u16>>> {
     if !args.has(i) {
         return Ok(None);
