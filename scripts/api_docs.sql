@@ -6,7 +6,7 @@ SELECT d.classid, d.objid FROM pg_depend d JOIN pg_extension x ON d.refobjid = x
 WHERE x.extname = 'asbuilt' AND d.deptype = 'e';
 SELECT format('| `%s` | %s |', t.typname, obj_description(t.oid, 'pg_type'))
 FROM member m JOIN pg_type t ON m.classid = 'pg_type'::regclass AND m.objid = t.oid
-WHERE t.typname !~ '^_' AND t.typtype <> 'c' ORDER BY t.typname;
+WHERE t.typname !~ '^_|_010$' AND t.typtype <> 'c' ORDER BY t.typname;
 SELECT E'\n## Functions and aggregates\n\n| function | returns | what |\n| --- | --- | --- |';
 SELECT format('| `%s(%s)` | `%s` | %s |', p.proname, pg_get_function_arguments(p.oid), pg_get_function_result(p.oid), obj_description(p.oid, 'pg_proc'))
 FROM member m JOIN pg_proc p ON m.classid = 'pg_proc'::regclass AND m.objid = p.oid

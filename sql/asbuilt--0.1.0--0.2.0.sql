@@ -4,6 +4,7 @@
 
 -- Names of their own for what people do not call; what has other columns or parameters now goes out of the way, for
 -- views that were made with it.
+ALTER TYPE ab_evidence_model RENAME TO ab_evidence_model_010;
 ALTER FUNCTION ab_box_in(cstring) RENAME TO _ab_box_in;
 ALTER FUNCTION ab_box_out(ab_box) RENAME TO _ab_box_out;
 ALTER FUNCTION ab_box_recv(internal) RENAME TO _ab_box_recv;
@@ -20,10 +21,10 @@ ALTER FUNCTION ab_scan_in(cstring) RENAME TO _ab_scan_in;
 ALTER FUNCTION ab_scan_out(ab_scan) RENAME TO _ab_scan_out;
 ALTER FUNCTION ab_scan_recv(internal) RENAME TO _ab_scan_recv;
 ALTER FUNCTION ab_scan_send(ab_scan) RENAME TO _ab_scan_send;
-ALTER FUNCTION ab_evidence_model_in(cstring) RENAME TO _ab_evidence_model_in;
-ALTER FUNCTION ab_evidence_model_out(ab_evidence_model) RENAME TO _ab_evidence_model_out;
-ALTER FUNCTION ab_evidence_model_recv(internal) RENAME TO _ab_evidence_model_recv;
-ALTER FUNCTION ab_evidence_model_send(ab_evidence_model) RENAME TO _ab_evidence_model_send;
+ALTER FUNCTION ab_evidence_model_in(cstring) RENAME TO _ab_evidence_model_in_010;
+ALTER FUNCTION ab_evidence_model_out(ab_evidence_model_010) RENAME TO _ab_evidence_model_out_010;
+ALTER FUNCTION ab_evidence_model_recv(internal) RENAME TO _ab_evidence_model_recv_010;
+ALTER FUNCTION ab_evidence_model_send(ab_evidence_model_010) RENAME TO _ab_evidence_model_send_010;
 ALTER FUNCTION ab_evidence_in(cstring) RENAME TO _ab_evidence_in;
 ALTER FUNCTION ab_evidence_out(ab_evidence) RENAME TO _ab_evidence_out;
 ALTER FUNCTION ab_evidence_recv(internal) RENAME TO _ab_evidence_recv;
@@ -47,17 +48,22 @@ ALTER FUNCTION ab_pose_send(ab_pose) RENAME TO _ab_pose_send;
 ALTER FUNCTION ab_scan(float8[], float8[], float8, bigint, float8) RENAME TO _ab_scan_010;
 ALTER FUNCTION ab_loa_class() RENAME TO _ab_loa_class_010;
 ALTER FUNCTION ab_tolerance(ab_loa) RENAME TO ab_upper_bound;
+ALTER FUNCTION ab_evidence_model(
+    ab_loa, text, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8,
+    float8) RENAME TO _ab_evidence_model_make_010;
 ALTER FUNCTION ab_summary(ab_evidence, ab_loa, float8, float8, float8, float8) RENAME TO _ab_summary_010;
 ALTER FUNCTION ab_verdict(ab_evidence, ab_loa, float8, float8, float8, float8) RENAME TO _ab_verdict_010;
 ALTER FUNCTION ab_shift(ab_evidence) RENAME TO _ab_shift_010;
 ALTER FUNCTION ab_samples(ab_evidence, ab_loa, float8) RENAME TO _ab_samples_010;
 ALTER FUNCTION ab_faces(ab_evidence, ab_loa, float8) RENAME TO _ab_faces_010;
-ALTER FUNCTION ab_evidence_accum(internal, ab_solid, ab_scan, ab_evidence_model) RENAME TO _ab_evidence_accum;
+ALTER FUNCTION ab_model(ab_evidence) RENAME TO _ab_model_010;
+ALTER FUNCTION ab_evidence_accum(internal, ab_solid, ab_scan, ab_evidence_model_010) RENAME TO _ab_evidence_accum_010;
 ALTER FUNCTION ab_rollup_accum(internal, ab_evidence) RENAME TO _ab_rollup_accum;
 ALTER FUNCTION ab_evidence_combine(internal, internal) RENAME TO _ab_evidence_combine;
 ALTER FUNCTION ab_evidence_serial(internal) RENAME TO _ab_evidence_serial;
 ALTER FUNCTION ab_evidence_deserial(bytea, internal) RENAME TO _ab_evidence_deserial;
 ALTER FUNCTION ab_evidence_final(internal) RENAME TO _ab_evidence_final;
+ALTER AGGREGATE ab_evidence_agg(ab_solid, ab_scan, ab_evidence_model_010) RENAME TO _ab_evidence_agg_010;
 ALTER FUNCTION ab_equal(ab_box, ab_box) RENAME TO _ab_equal;
 ALTER FUNCTION ab_equal(ab_mass, ab_mass) RENAME TO _ab_equal;
 ALTER FUNCTION ab_overlaps(ab_box, ab_box) RENAME TO _ab_overlaps;
@@ -175,7 +181,8 @@ ALTER FUNCTION ab_gist_point_compress(internal) RENAME TO _ab_gist_point_compres
 ALTER FUNCTION ab_gist_consistent(internal, ab_line, smallint, oid, internal) RENAME TO _ab_gist_consistent;
 ALTER FUNCTION ab_gist_line_compress(internal) RENAME TO _ab_gist_line_compress;
 ALTER FUNCTION ab_evidence_accum(
-    internal, ab_solid, ab_point, float8[], ab_evidence_model) RENAME TO _ab_evidence_accum;
+    internal, ab_solid, ab_point, float8[], ab_evidence_model_010) RENAME TO _ab_evidence_accum_010;
+ALTER AGGREGATE ab_evidence_agg(ab_solid, ab_point, float8[], ab_evidence_model_010) RENAME TO _ab_evidence_agg_010;
 ALTER FUNCTION ab_cone(ab_scan) RENAME TO _ab_cone_010;
 ALTER FUNCTION ab_range(ab_scan) RENAME TO _ab_range_010;
 ALTER FUNCTION ab_beams(ab_scan) RENAME TO _ab_beams_010;
@@ -218,6 +225,25 @@ AND    d.classid = 'pg_catalog.pg_proc'::pg_catalog.regclass AND d.deptype = 'e'
 AND    x.extname = 'asbuilt' AND 'e' = ANY (p.proargnames) AND p.proname !~ '_010$';
 
 -- 00-types
+CREATE TYPE ab_evidence_model;
+CREATE FUNCTION _ab_evidence_model_in(cstring) RETURNS ab_evidence_model
+    AS 'MODULE_PATHNAME', 'ab_model_in' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION _ab_evidence_model_out(ab_evidence_model) RETURNS cstring
+    AS 'MODULE_PATHNAME', 'ab_model_out' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION _ab_evidence_model_recv(internal) RETURNS ab_evidence_model
+    AS 'MODULE_PATHNAME', 'ab_model_recv' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+CREATE FUNCTION _ab_evidence_model_send(ab_evidence_model) RETURNS bytea
+    AS 'MODULE_PATHNAME', 'ab_model_send' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_in(cstring) IS 'Text input of ab_evidence_model';
+COMMENT ON FUNCTION _ab_evidence_model_out(ab_evidence_model) IS 'Text output of ab_evidence_model';
+COMMENT ON FUNCTION _ab_evidence_model_recv(internal) IS 'Binary input of ab_evidence_model';
+COMMENT ON FUNCTION _ab_evidence_model_send(ab_evidence_model) IS 'Binary output of ab_evidence_model';
+CREATE TYPE ab_evidence_model (
+    INPUT = _ab_evidence_model_in, OUTPUT = _ab_evidence_model_out, RECEIVE = _ab_evidence_model_recv,
+    SEND = _ab_evidence_model_send, INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = extended);
+COMMENT ON TYPE ab_evidence_model IS
+    'Parameters of evidence and verdict that were given, as words name=value; the others have their defaults: see '
+    'ab_evidence_model()';
 CREATE TYPE ab_grid;
 CREATE FUNCTION _ab_grid_in(cstring) RETURNS ab_grid
     AS 'MODULE_PATHNAME', 'ab_grid_in' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
@@ -232,8 +258,8 @@ COMMENT ON FUNCTION _ab_grid_out(ab_grid) IS 'Text output of ab_grid';
 COMMENT ON FUNCTION _ab_grid_recv(internal) IS 'Binary input of ab_grid';
 COMMENT ON FUNCTION _ab_grid_send(ab_grid) IS 'Binary output of ab_grid';
 CREATE TYPE ab_grid (
-    INPUT = _ab_grid_in, OUTPUT = _ab_grid_out, RECEIVE = _ab_grid_recv, SEND = _ab_grid_send, INTERNALLENGTH = 80,
-    ALIGNMENT = double);
+    INPUT = _ab_grid_in, OUTPUT = _ab_grid_out, RECEIVE = _ab_grid_recv, SEND = _ab_grid_send,
+    INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = extended);
 COMMENT ON TYPE ab_grid IS 'A lattice of voxels and the tile of it that is looked at: see ab_grid()';
 CREATE TYPE ab_occupancy;
 CREATE FUNCTION _ab_occupancy_in(cstring) RETURNS ab_occupancy
@@ -631,6 +657,18 @@ COMMENT ON FUNCTION ab_din18710_class() IS
     'which bound two';
 
 -- 05-evidence
+CREATE FUNCTION ab_evidence_model(
+    loa ab_loa DEFAULT 'LOA30', model text DEFAULT 'surface', spacing float8 DEFAULT NULL,
+    sigma_range float8 DEFAULT NULL, sigma_angle float8 DEFAULT NULL, sigma_station float8 DEFAULT NULL,
+    sigma_model float8 DEFAULT NULL, confidence float8 DEFAULT NULL, reliability float8 DEFAULT NULL,
+    max_incidence float8 DEFAULT NULL, no_return_range float8 DEFAULT NULL, no_return_weight float8 DEFAULT NULL,
+    kappa float8 DEFAULT NULL, lambda float8 DEFAULT NULL, c float8 DEFAULT NULL) RETURNS ab_evidence_model
+    AS 'MODULE_PATHNAME', 'ab_model_make' LANGUAGE c IMMUTABLE PARALLEL SAFE;
+COMMENT ON FUNCTION ab_evidence_model(
+    ab_loa, text, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8,
+    float8) IS
+    'Parameters of evidence and verdict; what is not given keeps the default of a current terrestrial scanner. '
+    'model: surface or meyer2022; lengths in metres, angles in radians';
 CREATE OR REPLACE FUNCTION ab_rollup(e1 ab_evidence, e2 ab_evidence) RETURNS ab_evidence
     AS 'MODULE_PATHNAME', 'ab_evidence_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 1000000;
 CREATE TYPE ab_summary_row AS (
@@ -722,9 +760,14 @@ CREATE FUNCTION ab_faces(
     evidence ab_evidence, loa ab_loa DEFAULT NULL, confidence float8 DEFAULT NULL) RETURNS SETOF ab_face_row
     AS 'MODULE_PATHNAME', 'ab_faces' LANGUAGE c STABLE PARALLEL SAFE COST 5000000 ROWS 20;
 COMMENT ON FUNCTION ab_faces(ab_evidence, ab_loa, float8) IS 'Every face of the solid with its share in the verdict';
-CREATE OR REPLACE FUNCTION _ab_evidence_accum(
+CREATE FUNCTION ab_model(evidence ab_evidence) RETURNS ab_evidence_model
+    AS 'MODULE_PATHNAME', 'ab_model_of_evidence' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION ab_model(ab_evidence) IS 'The parameters that the evidence was made with';
+CREATE FUNCTION _ab_evidence_accum(
     state internal, solid ab_solid, patch ab_scan, model ab_evidence_model) RETURNS internal
-    AS 'MODULE_PATHNAME', 'ab_evidence_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
+    AS 'MODULE_PATHNAME', 'ab_model_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
+COMMENT ON FUNCTION _ab_evidence_accum(internal, ab_solid, ab_scan, ab_evidence_model) IS
+    'Transition of ab_evidence_agg';
 CREATE OR REPLACE FUNCTION _ab_rollup_accum(state internal, evidence ab_evidence) RETURNS internal
     AS 'MODULE_PATHNAME', 'ab_rollup_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 500000;
 CREATE OR REPLACE FUNCTION _ab_evidence_combine(left_state internal, right_state internal) RETURNS internal
@@ -735,6 +778,13 @@ CREATE OR REPLACE FUNCTION _ab_evidence_deserial(bytes bytea, dummy internal) RE
     AS 'MODULE_PATHNAME', 'ab_evidence_deserial' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 200000;
 CREATE OR REPLACE FUNCTION _ab_evidence_final(state internal) RETURNS ab_evidence
     AS 'MODULE_PATHNAME', 'ab_evidence_final' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
+CREATE AGGREGATE ab_evidence_agg(solid ab_solid, patch ab_scan, model ab_evidence_model) (
+    SFUNC = _ab_evidence_accum, STYPE = internal, SSPACE = 1000000, COMBINEFUNC = _ab_evidence_combine,
+    SERIALFUNC = _ab_evidence_serial, DESERIALFUNC = _ab_evidence_deserial, FINALFUNC = _ab_evidence_final,
+    PARALLEL = SAFE);
+COMMENT ON AGGREGATE ab_evidence_agg(ab_solid, ab_scan, ab_evidence_model) IS
+    'What the beams of all patches say about one solid. A NULL patch adds nothing but keeps the object: it comes out '
+    'as unobserved';
 CREATE TYPE ab_verdict_row AS (
     id bigint, evidence ab_evidence, verdict text, best_loa ab_loa, samples bigint, coverage float8, confirmed float8,
     refuted float8, open float8, conflict float8, deviation float8, deviation_sd float8, shift float8[],
@@ -823,6 +873,20 @@ COMMENT ON FUNCTION ab_with_intensity(ab_evidence_model, integer, float8) IS
     'The same parameters with range noise by intensity: sigma_range holds from the reference on (the sensor''s own '
     'unit), below it the variance grows by (reference/intensity)^exponent. For patches with intensities; exponent 1 '
     'is shot noise';
+CREATE FUNCTION _ab_evidence_accum(
+    state internal, solid ab_solid, point ab_point, cameras float8[], model ab_evidence_model) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_model_accum_point' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 2000;
+COMMENT ON FUNCTION _ab_evidence_accum(internal, ab_solid, ab_point, float8[], ab_evidence_model) IS
+    'Transition of ab_evidence_agg over tie points';
+CREATE AGGREGATE ab_evidence_agg(solid ab_solid, point ab_point, cameras float8[], model ab_evidence_model) (
+    SFUNC = _ab_evidence_accum, STYPE = internal, SSPACE = 1000000, COMBINEFUNC = _ab_evidence_combine,
+    SERIALFUNC = _ab_evidence_serial, DESERIALFUNC = _ab_evidence_deserial, FINALFUNC = _ab_evidence_final,
+    PARALLEL = SAFE);
+COMMENT ON AGGREGATE ab_evidence_agg(ab_solid, ab_point, float8[], ab_evidence_model) IS
+    'What tie points say about one solid: a surface at each point, once, with the point''s own covariance, and empty '
+    'space along the rays from its cameras (n x 3, metres). Choose spacing near the distance of the points; join '
+    'the objects that the rays may have pierced too, not only those near the points. The model meyer2022 takes every '
+    'ray as a source of its own, without covariance. A NULL point keeps the object';
 
 -- 06-voxel
 CREATE FUNCTION ab_grid(
@@ -1241,10 +1305,10 @@ CREATE OPERATOR <> (
     JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_change, ab_change) IS 'Different values';
 CREATE FUNCTION _ab_equal(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_equal(ab_evidence_model, ab_evidence_model) IS 'Of operator =';
 CREATE FUNCTION _ab_unequal(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_unequal(ab_evidence_model, ab_evidence_model) IS 'Of operator <>';
 CREATE OPERATOR = (
     LEFTARG = ab_evidence_model, RIGHTARG = ab_evidence_model, FUNCTION = _ab_equal, COMMUTATOR = =, NEGATOR = <>,
@@ -1255,10 +1319,10 @@ CREATE OPERATOR <> (
     RESTRICT = neqsel, JOIN = neqjoinsel);
 COMMENT ON OPERATOR <> (ab_evidence_model, ab_evidence_model) IS 'Different values';
 CREATE FUNCTION _ab_equal(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_equal(ab_grid, ab_grid) IS 'Of operator =';
 CREATE FUNCTION _ab_unequal(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_unequal(ab_grid, ab_grid) IS 'Of operator <>';
 CREATE OPERATOR = (
     LEFTARG = ab_grid, RIGHTARG = ab_grid, FUNCTION = _ab_equal, COMMUTATOR = =, NEGATOR = <>, RESTRICT = eqsel,
@@ -1516,16 +1580,16 @@ CREATE OPERATOR > (
     RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 COMMENT ON OPERATOR > (ab_change, ab_change) IS 'After, in the order of the bytes';
 CREATE FUNCTION _ab_less(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_less(ab_evidence_model, ab_evidence_model) IS 'Of operator <';
 CREATE FUNCTION _ab_less_or_equal(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_less_or_equal(ab_evidence_model, ab_evidence_model) IS 'Of operator <=';
 CREATE FUNCTION _ab_greater_or_equal(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_greater_or_equal(ab_evidence_model, ab_evidence_model) IS 'Of operator >=';
 CREATE FUNCTION _ab_greater(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_greater(ab_evidence_model, ab_evidence_model) IS 'Of operator >';
 CREATE OPERATOR < (
     LEFTARG = ab_evidence_model, RIGHTARG = ab_evidence_model, FUNCTION = _ab_less, COMMUTATOR = >, NEGATOR = >=,
@@ -1545,16 +1609,16 @@ CREATE OPERATOR > (
     RESTRICT = scalargtsel, JOIN = scalargtjoinsel);
 COMMENT ON OPERATOR > (ab_evidence_model, ab_evidence_model) IS 'After, in the order of the bytes';
 CREATE FUNCTION _ab_less(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_less(ab_grid, ab_grid) IS 'Of operator <';
 CREATE FUNCTION _ab_less_or_equal(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_less_or_equal(ab_grid, ab_grid) IS 'Of operator <=';
 CREATE FUNCTION _ab_greater_or_equal(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_greater_or_equal(ab_grid, ab_grid) IS 'Of operator >=';
 CREATE FUNCTION _ab_greater(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_greater(ab_grid, ab_grid) IS 'Of operator >';
 CREATE OPERATOR < (
     LEFTARG = ab_grid, RIGHTARG = ab_grid, FUNCTION = _ab_less, COMMUTATOR = >, NEGATOR = >=, RESTRICT = scalarltsel,
@@ -1683,14 +1747,14 @@ CREATE OPERATOR CLASS ab_change_btree_ops DEFAULT FOR TYPE ab_change USING btree
     FUNCTION 1 _ab_compare(ab_change, ab_change);
 COMMENT ON OPERATOR CLASS ab_change_btree_ops USING btree IS 'By bytes, for sorting and grouping';
 CREATE FUNCTION _ab_compare(a ab_evidence_model, b ab_evidence_model) RETURNS integer
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_compare(ab_evidence_model, ab_evidence_model) IS 'Btree support';
 CREATE OPERATOR CLASS ab_evidence_model_btree_ops DEFAULT FOR TYPE ab_evidence_model USING btree AS
     OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >,
     FUNCTION 1 _ab_compare(ab_evidence_model, ab_evidence_model);
 COMMENT ON OPERATOR CLASS ab_evidence_model_btree_ops USING btree IS 'By bytes, for sorting and grouping';
 CREATE FUNCTION _ab_compare(a ab_grid, b ab_grid) RETURNS integer
-    AS 'MODULE_PATHNAME', 'ab_grid_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_compare(ab_grid, ab_grid) IS 'Btree support';
 CREATE OPERATOR CLASS ab_grid_btree_ops DEFAULT FOR TYPE ab_grid USING btree AS
     OPERATOR 1 <, OPERATOR 2 <=, OPERATOR 3 =, OPERATOR 4 >=, OPERATOR 5 >, FUNCTION 1 _ab_compare(ab_grid, ab_grid);
@@ -1752,19 +1816,19 @@ CREATE OPERATOR CLASS ab_change_hash_ops DEFAULT FOR TYPE ab_change USING hash A
     OPERATOR 1 =, FUNCTION 1 _ab_hash(ab_change), FUNCTION 2 _ab_hash(ab_change, bigint);
 COMMENT ON OPERATOR CLASS ab_change_hash_ops USING hash IS 'By bytes, for grouping and joins';
 CREATE FUNCTION _ab_hash(a ab_evidence_model) RETURNS integer
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_hash(ab_evidence_model) IS 'Hash support';
 CREATE FUNCTION _ab_hash(a ab_evidence_model, seed bigint) RETURNS bigint
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_hash(ab_evidence_model, bigint) IS 'Hash support';
 CREATE OPERATOR CLASS ab_evidence_model_hash_ops DEFAULT FOR TYPE ab_evidence_model USING hash AS
     OPERATOR 1 =, FUNCTION 1 _ab_hash(ab_evidence_model), FUNCTION 2 _ab_hash(ab_evidence_model, bigint);
 COMMENT ON OPERATOR CLASS ab_evidence_model_hash_ops USING hash IS 'By bytes, for grouping and joins';
 CREATE FUNCTION _ab_hash(a ab_grid) RETURNS integer
-    AS 'MODULE_PATHNAME', 'ab_grid_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_hash(ab_grid) IS 'Hash support';
 CREATE FUNCTION _ab_hash(a ab_grid, seed bigint) RETURNS bigint
-    AS 'MODULE_PATHNAME', 'ab_grid_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_hash(ab_grid, bigint) IS 'Hash support';
 CREATE OPERATOR CLASS ab_grid_hash_ops DEFAULT FOR TYPE ab_grid USING hash AS
     OPERATOR 1 =, FUNCTION 1 _ab_hash(ab_grid), FUNCTION 2 _ab_hash(ab_grid, bigint);
@@ -1873,6 +1937,32 @@ COMMENT ON FUNCTION ab_memory(boolean) IS
     'from_now begins the peak anew. What PostgreSQL itself holds of them (rows, results) is not counted';
 
 -- 99-compat
+CREATE OR REPLACE FUNCTION _ab_evidence_model_in_010(cstring) RETURNS ab_evidence_model_010
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_in' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_in_010(cstring) IS
+    '_ab_evidence_model_in as it was in 0.1.0: for what was made with it';
+CREATE OR REPLACE FUNCTION _ab_evidence_model_out_010(ab_evidence_model_010) RETURNS cstring
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_out' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_out_010(ab_evidence_model_010) IS
+    '_ab_evidence_model_out as it was in 0.1.0: for what was made with it';
+CREATE OR REPLACE FUNCTION _ab_evidence_model_recv_010(internal) RETURNS ab_evidence_model_010
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_recv' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_recv_010(internal) IS
+    '_ab_evidence_model_recv as it was in 0.1.0: for what was made with it';
+CREATE OR REPLACE FUNCTION _ab_evidence_model_send_010(ab_evidence_model_010) RETURNS bytea
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_send' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_send_010(ab_evidence_model_010) IS
+    '_ab_evidence_model_send as it was in 0.1.0: for what was made with it';
+COMMENT ON TYPE ab_evidence_model_010 IS
+    'ab_evidence_model as it was in 0.1.0: for columns that were made then; becomes one of today where that is asked '
+    'for';
+CREATE FUNCTION _ab_evidence_model_renewed_010(model ab_evidence_model_010) RETURNS ab_evidence_model
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_renewed' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_renewed_010(ab_evidence_model_010) IS
+    'Of the cast: all parameters count as given';
+CREATE CAST (ab_evidence_model_010 AS ab_evidence_model)
+    WITH FUNCTION _ab_evidence_model_renewed_010(ab_evidence_model_010) AS IMPLICIT;
+COMMENT ON CAST (ab_evidence_model_010 AS ab_evidence_model) IS 'Columns of 0.1.0 go on';
 CREATE OR REPLACE FUNCTION _ab_scan_010(
     origin float8[], points float8[], step float8 DEFAULT NULL, station bigint DEFAULT 0,
     quantum float8 DEFAULT 0.0001) RETURNS ab_scan
@@ -1883,6 +1973,17 @@ CREATE OR REPLACE FUNCTION _ab_loa_class_010(
     OUT loa ab_loa, OUT lower float8, OUT upper float8, OUT sigma float8, OUT source text) RETURNS SETOF record
     AS 'MODULE_PATHNAME', 'ab_loa_class' LANGUAGE c STABLE STRICT PARALLEL SAFE ROWS 5;
 COMMENT ON FUNCTION _ab_loa_class_010() IS 'ab_loa_class as it was in 0.1.0: for what was made with it';
+CREATE OR REPLACE FUNCTION _ab_evidence_model_make_010(
+    loa ab_loa DEFAULT 'LOA30', model text DEFAULT 'surface', spacing float8 DEFAULT NULL,
+    sigma_range float8 DEFAULT NULL, sigma_angle float8 DEFAULT NULL, sigma_station float8 DEFAULT NULL,
+    sigma_model float8 DEFAULT NULL, confidence float8 DEFAULT NULL, reliability float8 DEFAULT NULL,
+    max_incidence float8 DEFAULT NULL, no_return_range float8 DEFAULT NULL, no_return_weight float8 DEFAULT NULL,
+    kappa float8 DEFAULT NULL, lambda float8 DEFAULT NULL, c float8 DEFAULT NULL) RETURNS ab_evidence_model_010
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_make' LANGUAGE c IMMUTABLE PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_make_010(
+    ab_loa, text, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8,
+    float8) IS
+    'ab_evidence_model as it was in 0.1.0: for what was made with it';
 CREATE OR REPLACE FUNCTION _ab_summary_010(
     e ab_evidence, loa ab_loa DEFAULT NULL, confidence float8 DEFAULT NULL, min_confirmed float8 DEFAULT NULL,
     min_coverage float8 DEFAULT NULL, max_conflict float8 DEFAULT NULL, OUT verdict text, OUT best_loa ab_loa,
@@ -1916,6 +2017,16 @@ CREATE OR REPLACE FUNCTION _ab_faces_010(
     AS 'MODULE_PATHNAME', 'ab_faces' LANGUAGE c STABLE PARALLEL SAFE COST 5000000 ROWS 20;
 COMMENT ON FUNCTION _ab_faces_010(ab_evidence, ab_loa, float8) IS
     'ab_faces as it was in 0.1.0: for what was made with it';
+CREATE OR REPLACE FUNCTION _ab_model_010(e ab_evidence) RETURNS ab_evidence_model_010
+    AS 'MODULE_PATHNAME', 'ab_evidence_get_model' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_model_010(ab_evidence) IS 'ab_model as it was in 0.1.0: for what was made with it';
+CREATE OR REPLACE FUNCTION _ab_evidence_accum_010(
+    state internal, solid ab_solid, patch ab_scan, model ab_evidence_model_010) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_evidence_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
+COMMENT ON FUNCTION _ab_evidence_accum_010(internal, ab_solid, ab_scan, ab_evidence_model_010) IS
+    '_ab_evidence_accum as it was in 0.1.0: for what was made with it';
+COMMENT ON AGGREGATE _ab_evidence_agg_010(ab_solid, ab_scan, ab_evidence_model_010) IS
+    'ab_evidence_agg as it was in 0.1.0: for what was made with it';
 CREATE OR REPLACE FUNCTION _ab_line_010(
     start float8[], "end" float8[], covariance float8[] DEFAULT NULL) RETURNS ab_line
     AS 'MODULE_PATHNAME', 'ab_line_make' LANGUAGE c IMMUTABLE PARALLEL SAFE;
@@ -2053,6 +2164,13 @@ CREATE OR REPLACE FUNCTION _ab_din18710_class_010(
     OUT class text, OUT lower float8, OUT upper float8, OUT source text) RETURNS SETOF record
     AS 'MODULE_PATHNAME', 'ab_din18710_class' LANGUAGE c STABLE STRICT PARALLEL SAFE ROWS 5;
 COMMENT ON FUNCTION _ab_din18710_class_010() IS 'ab_din18710_class as it was in 0.1.0: for what was made with it';
+CREATE OR REPLACE FUNCTION _ab_evidence_accum_010(
+    state internal, solid ab_solid, point ab_point, cameras float8[], model ab_evidence_model_010) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_evidence_accum_point' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 2000;
+COMMENT ON FUNCTION _ab_evidence_accum_010(internal, ab_solid, ab_point, float8[], ab_evidence_model_010) IS
+    '_ab_evidence_accum as it was in 0.1.0: for what was made with it';
+COMMENT ON AGGREGATE _ab_evidence_agg_010(ab_solid, ab_point, float8[], ab_evidence_model_010) IS
+    'ab_evidence_agg as it was in 0.1.0: for what was made with it';
 CREATE OR REPLACE FUNCTION _ab_cone_010(patch ab_scan, OUT axis float8[], OUT half_angle float8) RETURNS record
     AS 'MODULE_PATHNAME', 'ab_scan_cone' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;
 COMMENT ON FUNCTION _ab_cone_010(ab_scan) IS 'ab_cone as it was in 0.1.0: for what was made with it';

@@ -82,21 +82,23 @@ COMMENT ON TYPE ab_scan IS
 
 CREATE TYPE ab_evidence_model;
 CREATE FUNCTION _ab_evidence_model_in(cstring) RETURNS ab_evidence_model
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_in' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_model_in' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION _ab_evidence_model_out(ab_evidence_model) RETURNS cstring
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_out' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_model_out' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION _ab_evidence_model_recv(internal) RETURNS ab_evidence_model
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_recv' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_model_recv' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 CREATE FUNCTION _ab_evidence_model_send(ab_evidence_model) RETURNS bytea
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_send' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_model_send' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION _ab_evidence_model_in(cstring) IS 'Text input of ab_evidence_model';
 COMMENT ON FUNCTION _ab_evidence_model_out(ab_evidence_model) IS 'Text output of ab_evidence_model';
 COMMENT ON FUNCTION _ab_evidence_model_recv(internal) IS 'Binary input of ab_evidence_model';
 COMMENT ON FUNCTION _ab_evidence_model_send(ab_evidence_model) IS 'Binary output of ab_evidence_model';
 CREATE TYPE ab_evidence_model (
     INPUT = _ab_evidence_model_in, OUTPUT = _ab_evidence_model_out, RECEIVE = _ab_evidence_model_recv,
-    SEND = _ab_evidence_model_send, INTERNALLENGTH = 112, ALIGNMENT = double);
-COMMENT ON TYPE ab_evidence_model IS 'Parameters of evidence and verdict: see ab_evidence_model()';
+    SEND = _ab_evidence_model_send, INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = extended);
+COMMENT ON TYPE ab_evidence_model IS
+    'Parameters of evidence and verdict that were given, as words name=value; the others have their defaults: see '
+    'ab_evidence_model()';
 
 CREATE TYPE ab_evidence;
 CREATE FUNCTION _ab_evidence_in(cstring) RETURNS ab_evidence
@@ -211,8 +213,8 @@ COMMENT ON FUNCTION _ab_grid_out(ab_grid) IS 'Text output of ab_grid';
 COMMENT ON FUNCTION _ab_grid_recv(internal) IS 'Binary input of ab_grid';
 COMMENT ON FUNCTION _ab_grid_send(ab_grid) IS 'Binary output of ab_grid';
 CREATE TYPE ab_grid (
-    INPUT = _ab_grid_in, OUTPUT = _ab_grid_out, RECEIVE = _ab_grid_recv, SEND = _ab_grid_send, INTERNALLENGTH = 80,
-    ALIGNMENT = double);
+    INPUT = _ab_grid_in, OUTPUT = _ab_grid_out, RECEIVE = _ab_grid_recv, SEND = _ab_grid_send,
+    INTERNALLENGTH = VARIABLE, ALIGNMENT = int4, STORAGE = extended);
 COMMENT ON TYPE ab_grid IS 'A lattice of voxels and the tile of it that is looked at: see ab_grid()';
 
 CREATE TYPE ab_occupancy;

@@ -6,7 +6,7 @@ CREATE FUNCTION ab_evidence_model(
     sigma_model float8 DEFAULT NULL, confidence float8 DEFAULT NULL, reliability float8 DEFAULT NULL,
     max_incidence float8 DEFAULT NULL, no_return_range float8 DEFAULT NULL, no_return_weight float8 DEFAULT NULL,
     kappa float8 DEFAULT NULL, lambda float8 DEFAULT NULL, c float8 DEFAULT NULL) RETURNS ab_evidence_model
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_make' LANGUAGE c IMMUTABLE PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_model_make' LANGUAGE c IMMUTABLE PARALLEL SAFE;
 COMMENT ON FUNCTION ab_evidence_model(
     ab_loa, text, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8,
     float8) IS
@@ -129,13 +129,13 @@ CREATE FUNCTION ab_station_count(evidence ab_evidence) RETURNS integer
 COMMENT ON FUNCTION ab_station_count(ab_evidence) IS 'Number of stations that spoke';
 
 CREATE FUNCTION ab_model(evidence ab_evidence) RETURNS ab_evidence_model
-    AS 'MODULE_PATHNAME', 'ab_evidence_get_model' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_model_of_evidence' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION ab_model(ab_evidence) IS 'The parameters that the evidence was made with';
 
 -- Transition and its kin of the aggregates; not for direct use.
 CREATE FUNCTION _ab_evidence_accum(
     state internal, solid ab_solid, patch ab_scan, model ab_evidence_model) RETURNS internal
-    AS 'MODULE_PATHNAME', 'ab_evidence_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
+    AS 'MODULE_PATHNAME', 'ab_model_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
 COMMENT ON FUNCTION _ab_evidence_accum(internal, ab_solid, ab_scan, ab_evidence_model) IS
     'Transition of ab_evidence_agg';
 
@@ -273,7 +273,7 @@ COMMENT ON FUNCTION ab_with_intensity(ab_evidence_model, integer, float8) IS
 -- Evidence from tie points.
 CREATE FUNCTION _ab_evidence_accum(
     state internal, solid ab_solid, point ab_point, cameras float8[], model ab_evidence_model) RETURNS internal
-    AS 'MODULE_PATHNAME', 'ab_evidence_accum_point' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 2000;
+    AS 'MODULE_PATHNAME', 'ab_model_accum_point' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 2000;
 COMMENT ON FUNCTION _ab_evidence_accum(internal, ab_solid, ab_point, float8[], ab_evidence_model) IS
     'Transition of ab_evidence_agg over tie points';
 

@@ -565,11 +565,11 @@ CREATE OPERATOR <> (
 COMMENT ON OPERATOR <> (ab_change, ab_change) IS 'Different values';
 
 CREATE FUNCTION _ab_equal(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_equal(ab_evidence_model, ab_evidence_model) IS 'Of operator =';
 
 CREATE FUNCTION _ab_unequal(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_unequal(ab_evidence_model, ab_evidence_model) IS 'Of operator <>';
 
 CREATE OPERATOR = (
@@ -583,11 +583,11 @@ CREATE OPERATOR <> (
 COMMENT ON OPERATOR <> (ab_evidence_model, ab_evidence_model) IS 'Different values';
 
 CREATE FUNCTION _ab_equal(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_eq' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_equal(ab_grid, ab_grid) IS 'Of operator =';
 
 CREATE FUNCTION _ab_unequal(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_ne' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_unequal(ab_grid, ab_grid) IS 'Of operator <>';
 
 CREATE OPERATOR = (
@@ -1152,19 +1152,19 @@ CREATE OPERATOR > (
 COMMENT ON OPERATOR > (ab_change, ab_change) IS 'After, in the order of the bytes';
 
 CREATE FUNCTION _ab_less(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_less(ab_evidence_model, ab_evidence_model) IS 'Of operator <';
 
 CREATE FUNCTION _ab_less_or_equal(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_less_or_equal(ab_evidence_model, ab_evidence_model) IS 'Of operator <=';
 
 CREATE FUNCTION _ab_greater_or_equal(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_greater_or_equal(ab_evidence_model, ab_evidence_model) IS 'Of operator >=';
 
 CREATE FUNCTION _ab_greater(a ab_evidence_model, b ab_evidence_model) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_greater(ab_evidence_model, ab_evidence_model) IS 'Of operator >';
 
 CREATE OPERATOR < (
@@ -1189,19 +1189,19 @@ CREATE OPERATOR > (
 COMMENT ON OPERATOR > (ab_evidence_model, ab_evidence_model) IS 'After, in the order of the bytes';
 
 CREATE FUNCTION _ab_less(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_lt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_less(ab_grid, ab_grid) IS 'Of operator <';
 
 CREATE FUNCTION _ab_less_or_equal(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_le' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_less_or_equal(ab_grid, ab_grid) IS 'Of operator <=';
 
 CREATE FUNCTION _ab_greater_or_equal(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_ge' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_greater_or_equal(ab_grid, ab_grid) IS 'Of operator >=';
 
 CREATE FUNCTION _ab_greater(a ab_grid, b ab_grid) RETURNS boolean
-    AS 'MODULE_PATHNAME', 'ab_grid_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_gt' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_greater(ab_grid, ab_grid) IS 'Of operator >';
 
 CREATE OPERATOR < (

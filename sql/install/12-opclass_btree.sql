@@ -93,7 +93,7 @@ CREATE OPERATOR CLASS ab_change_btree_ops DEFAULT FOR TYPE ab_change USING btree
 COMMENT ON OPERATOR CLASS ab_change_btree_ops USING btree IS 'By bytes, for sorting and grouping';
 
 CREATE FUNCTION _ab_compare(a ab_evidence_model, b ab_evidence_model) RETURNS integer
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_compare(ab_evidence_model, ab_evidence_model) IS 'Btree support';
 
 CREATE OPERATOR CLASS ab_evidence_model_btree_ops DEFAULT FOR TYPE ab_evidence_model USING btree AS
@@ -102,7 +102,7 @@ CREATE OPERATOR CLASS ab_evidence_model_btree_ops DEFAULT FOR TYPE ab_evidence_m
 COMMENT ON OPERATOR CLASS ab_evidence_model_btree_ops USING btree IS 'By bytes, for sorting and grouping';
 
 CREATE FUNCTION _ab_compare(a ab_grid, b ab_grid) RETURNS integer
-    AS 'MODULE_PATHNAME', 'ab_grid_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_compare' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_compare(ab_grid, ab_grid) IS 'Btree support';
 
 CREATE OPERATOR CLASS ab_grid_btree_ops DEFAULT FOR TYPE ab_grid USING btree AS

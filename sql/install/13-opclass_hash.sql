@@ -133,11 +133,11 @@ CREATE OPERATOR CLASS ab_change_hash_ops DEFAULT FOR TYPE ab_change USING hash A
 COMMENT ON OPERATOR CLASS ab_change_hash_ops USING hash IS 'By bytes, for grouping and joins';
 
 CREATE FUNCTION _ab_hash(a ab_evidence_model) RETURNS integer
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_hash(ab_evidence_model) IS 'Hash support';
 
 CREATE FUNCTION _ab_hash(a ab_evidence_model, seed bigint) RETURNS bigint
-    AS 'MODULE_PATHNAME', 'ab_evidence_model_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_hash(ab_evidence_model, bigint) IS 'Hash support';
 
 CREATE OPERATOR CLASS ab_evidence_model_hash_ops DEFAULT FOR TYPE ab_evidence_model USING hash AS
@@ -145,11 +145,11 @@ CREATE OPERATOR CLASS ab_evidence_model_hash_ops DEFAULT FOR TYPE ab_evidence_mo
 COMMENT ON OPERATOR CLASS ab_evidence_model_hash_ops USING hash IS 'By bytes, for grouping and joins';
 
 CREATE FUNCTION _ab_hash(a ab_grid) RETURNS integer
-    AS 'MODULE_PATHNAME', 'ab_grid_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_hash' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_hash(ab_grid) IS 'Hash support';
 
 CREATE FUNCTION _ab_hash(a ab_grid, seed bigint) RETURNS bigint
-    AS 'MODULE_PATHNAME', 'ab_grid_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+    AS 'MODULE_PATHNAME', 'ab_bytes_hash_extended' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
 COMMENT ON FUNCTION _ab_hash(ab_grid, bigint) IS 'Hash support';
 
 CREATE OPERATOR CLASS ab_grid_hash_ops DEFAULT FOR TYPE ab_grid USING hash AS

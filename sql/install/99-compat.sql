@@ -1,6 +1,42 @@
 -- What 0.1.0 had under other names or with other columns: views and functions that were made with it go on, also after
 -- dump and restore. Not for new use; C symbols in src/compat.rs.
 
+CREATE TYPE ab_evidence_model_010;
+CREATE FUNCTION _ab_evidence_model_in_010(cstring) RETURNS ab_evidence_model_010
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_in' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_in_010(cstring) IS
+    '_ab_evidence_model_in as it was in 0.1.0: for what was made with it';
+
+CREATE FUNCTION _ab_evidence_model_out_010(ab_evidence_model_010) RETURNS cstring
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_out' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_out_010(ab_evidence_model_010) IS
+    '_ab_evidence_model_out as it was in 0.1.0: for what was made with it';
+
+CREATE FUNCTION _ab_evidence_model_recv_010(internal) RETURNS ab_evidence_model_010
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_recv' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_recv_010(internal) IS
+    '_ab_evidence_model_recv as it was in 0.1.0: for what was made with it';
+
+CREATE FUNCTION _ab_evidence_model_send_010(ab_evidence_model_010) RETURNS bytea
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_send' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_send_010(ab_evidence_model_010) IS
+    '_ab_evidence_model_send as it was in 0.1.0: for what was made with it';
+CREATE TYPE ab_evidence_model_010 (
+    INPUT = _ab_evidence_model_in_010, OUTPUT = _ab_evidence_model_out_010, RECEIVE = _ab_evidence_model_recv_010,
+    SEND = _ab_evidence_model_send_010, INTERNALLENGTH = 112, ALIGNMENT = double);
+COMMENT ON TYPE ab_evidence_model_010 IS
+    'ab_evidence_model as it was in 0.1.0: for columns that were made then; becomes one of today where that is asked '
+    'for';
+
+CREATE FUNCTION _ab_evidence_model_renewed_010(model ab_evidence_model_010) RETURNS ab_evidence_model
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_renewed' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_renewed_010(ab_evidence_model_010) IS
+    'Of the cast: all parameters count as given';
+
+CREATE CAST (ab_evidence_model_010 AS ab_evidence_model)
+    WITH FUNCTION _ab_evidence_model_renewed_010(ab_evidence_model_010) AS IMPLICIT;
+COMMENT ON CAST (ab_evidence_model_010 AS ab_evidence_model) IS 'Columns of 0.1.0 go on';
+
 CREATE FUNCTION _ab_scan_010(
     origin float8[], points float8[], step float8 DEFAULT NULL, station bigint DEFAULT 0,
     quantum float8 DEFAULT 0.0001) RETURNS ab_scan
@@ -12,6 +48,18 @@ CREATE FUNCTION _ab_loa_class_010(
     OUT loa ab_loa, OUT lower float8, OUT upper float8, OUT sigma float8, OUT source text) RETURNS SETOF record
     AS 'MODULE_PATHNAME', 'ab_loa_class' LANGUAGE c STABLE STRICT PARALLEL SAFE ROWS 5;
 COMMENT ON FUNCTION _ab_loa_class_010() IS 'ab_loa_class as it was in 0.1.0: for what was made with it';
+
+CREATE FUNCTION _ab_evidence_model_make_010(
+    loa ab_loa DEFAULT 'LOA30', model text DEFAULT 'surface', spacing float8 DEFAULT NULL,
+    sigma_range float8 DEFAULT NULL, sigma_angle float8 DEFAULT NULL, sigma_station float8 DEFAULT NULL,
+    sigma_model float8 DEFAULT NULL, confidence float8 DEFAULT NULL, reliability float8 DEFAULT NULL,
+    max_incidence float8 DEFAULT NULL, no_return_range float8 DEFAULT NULL, no_return_weight float8 DEFAULT NULL,
+    kappa float8 DEFAULT NULL, lambda float8 DEFAULT NULL, c float8 DEFAULT NULL) RETURNS ab_evidence_model_010
+    AS 'MODULE_PATHNAME', 'ab_evidence_model_make' LANGUAGE c IMMUTABLE PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_evidence_model_make_010(
+    ab_loa, text, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8,
+    float8) IS
+    'ab_evidence_model as it was in 0.1.0: for what was made with it';
 
 CREATE FUNCTION _ab_summary_010(
     e ab_evidence, loa ab_loa DEFAULT NULL, confidence float8 DEFAULT NULL, min_confirmed float8 DEFAULT NULL,
@@ -50,6 +98,23 @@ CREATE FUNCTION _ab_faces_010(
     AS 'MODULE_PATHNAME', 'ab_faces' LANGUAGE c STABLE PARALLEL SAFE COST 5000000 ROWS 20;
 COMMENT ON FUNCTION _ab_faces_010(ab_evidence, ab_loa, float8) IS
     'ab_faces as it was in 0.1.0: for what was made with it';
+
+CREATE FUNCTION _ab_model_010(e ab_evidence) RETURNS ab_evidence_model_010
+    AS 'MODULE_PATHNAME', 'ab_evidence_get_model' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_model_010(ab_evidence) IS 'ab_model as it was in 0.1.0: for what was made with it';
+
+CREATE FUNCTION _ab_evidence_accum_010(
+    state internal, solid ab_solid, patch ab_scan, model ab_evidence_model_010) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_evidence_accum' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 100000;
+COMMENT ON FUNCTION _ab_evidence_accum_010(internal, ab_solid, ab_scan, ab_evidence_model_010) IS
+    '_ab_evidence_accum as it was in 0.1.0: for what was made with it';
+
+CREATE AGGREGATE _ab_evidence_agg_010(solid ab_solid, patch ab_scan, model ab_evidence_model_010) (
+    SFUNC = _ab_evidence_accum_010, STYPE = internal, SSPACE = 1000000, COMBINEFUNC = _ab_evidence_combine,
+    SERIALFUNC = _ab_evidence_serial, DESERIALFUNC = _ab_evidence_deserial, FINALFUNC = _ab_evidence_final,
+    PARALLEL = SAFE);
+COMMENT ON AGGREGATE _ab_evidence_agg_010(ab_solid, ab_scan, ab_evidence_model_010) IS
+    'ab_evidence_agg as it was in 0.1.0: for what was made with it';
 
 CREATE FUNCTION _ab_line_010(start float8[], "end" float8[], covariance float8[] DEFAULT NULL) RETURNS ab_line
     AS 'MODULE_PATHNAME', 'ab_line_make' LANGUAGE c IMMUTABLE PARALLEL SAFE;
@@ -210,6 +275,19 @@ CREATE FUNCTION _ab_din18710_class_010(
     OUT class text, OUT lower float8, OUT upper float8, OUT source text) RETURNS SETOF record
     AS 'MODULE_PATHNAME', 'ab_din18710_class' LANGUAGE c STABLE STRICT PARALLEL SAFE ROWS 5;
 COMMENT ON FUNCTION _ab_din18710_class_010() IS 'ab_din18710_class as it was in 0.1.0: for what was made with it';
+
+CREATE FUNCTION _ab_evidence_accum_010(
+    state internal, solid ab_solid, point ab_point, cameras float8[], model ab_evidence_model_010) RETURNS internal
+    AS 'MODULE_PATHNAME', 'ab_evidence_accum_point' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 2000;
+COMMENT ON FUNCTION _ab_evidence_accum_010(internal, ab_solid, ab_point, float8[], ab_evidence_model_010) IS
+    '_ab_evidence_accum as it was in 0.1.0: for what was made with it';
+
+CREATE AGGREGATE _ab_evidence_agg_010(solid ab_solid, point ab_point, cameras float8[], model ab_evidence_model_010) (
+    SFUNC = _ab_evidence_accum_010, STYPE = internal, SSPACE = 1000000, COMBINEFUNC = _ab_evidence_combine,
+    SERIALFUNC = _ab_evidence_serial, DESERIALFUNC = _ab_evidence_deserial, FINALFUNC = _ab_evidence_final,
+    PARALLEL = SAFE);
+COMMENT ON AGGREGATE _ab_evidence_agg_010(ab_solid, ab_point, float8[], ab_evidence_model_010) IS
+    'ab_evidence_agg as it was in 0.1.0: for what was made with it';
 
 CREATE FUNCTION _ab_cone_010(patch ab_scan, OUT axis float8[], OUT half_angle float8) RETURNS record
     AS 'MODULE_PATHNAME', 'ab_scan_cone' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 50;

@@ -31,12 +31,16 @@ SELECT o.id, d.sd, t.p_value, i.dof, c.half_angle, ab_tolerance('LOA30') AS uppe
 FROM building_object o JOIN evidence e USING (id) CROSS JOIN LATERAL ab_distance(o.p, ab_point(0, 0, 0, 0.01)) d
 CROSS JOIN LATERAL ab_test_same(o.p, ab_point(5, 0, 1.5)) t CROSS JOIN LATERAL ab_cone((SELECT patch FROM scan WHERE station_id = o.id - 1)) c
 CROSS JOIN LATERAL ab_test_incident(ab_line(ARRAY[0, 0, 0], ARRAY[1, 0, 0]), o.p) i;
+CREATE TABLE setting (id integer PRIMARY KEY, model ab_evidence_model);
+INSERT INTO setting SELECT i, ab_evidence_model('LOA40', spacing => 0.05 * i, sigma_station => 0.002) FROM generate_series(1, 2) i;
+CREATE VIEW chosen AS SELECT s.id, s.model, ab_model(ab_evidence_agg(o.solid, p.patch, s.model)) AS used, ab_verdict(ab_evidence_agg(o.solid, p.patch, s.model)) AS verdict
+    FROM setting s, building_object o, scan p WHERE o.id = 1 GROUP BY s.id;
 CREATE INDEX ON evidence USING gist (ab_box(e));
 CREATE VIEW near AS SELECT o.id, s.station_id FROM building_object o JOIN scan s ON s.patch && o.solid AND o.solid && o.p;
 ";
 
 /// What the views of then show; functions that they call have other columns, parameters or names today.
-const VIEWS: [&str; 6] = ["verdict", "readme", "moved", "beam", "called", "near"];
+const VIEWS: [&str; 7] = ["verdict", "readme", "moved", "beam", "called", "near", "chosen"];
 
 fn views(client: &mut Client) -> Vec<String> {
     let shown = VIEWS.map(|v| format!("(SELECT string_agg(v::text, E'\\n' ORDER BY v::text) FROM {v} v)"));
@@ -113,6 +117,16 @@ fn a_database_of_0_1_0_is_updated() {
     assert_eq!(views(&mut client), shown);
     let text: String = client.query_one("SELECT shift FROM readme WHERE id = 1", &[]).unwrap().get(0);
     assert!(text.starts_with("(-0.002") && text.contains("-) +/- ("), "0.1.0 tells a text: {text}");
+    // Columns of parameters, of fixed length then, serve today's functions, and take values.
+    let today = "SELECT count(*) FROM chosen c JOIN (SELECT s.id, ab_verdict(ab_evidence_agg(o.solid, p.patch, s.model)) AS verdict
+        FROM setting s, building_object o, scan p WHERE o.id = 1 GROUP BY s.id) t USING (id, verdict)";
+    assert_eq!(client.query_one(today, &[]).unwrap().get::<_, i64>(0), 2);
+    client
+        .batch_execute(
+            "INSERT INTO setting VALUES (3, 'LOA20'); DELETE FROM setting WHERE id = 3;
+             CREATE TABLE renewed AS SELECT id, model::ab_evidence_model AS model FROM setting; DROP TABLE renewed",
+        )
+        .unwrap();
     // An index on an expression serves it as before.
     client.batch_execute("SET enable_seqscan = off").unwrap();
     let sql = "EXPLAIN SELECT id FROM evidence WHERE ab_box(e) && ab_box(0, 0, 0, 1, 1, 1)";

@@ -101,8 +101,9 @@ SELECT ab_grid(0.1) = ab_grid(0.1), (ab_grid(0.1) < ab_grid(0.2)) <> (ab_grid(0.
 SET enable_hashagg = off;
 SELECT count(*) FROM (SELECT solid FROM hidden GROUP BY solid) g;
 RESET enable_hashagg;
+-- (the type that is kept of 0.1.0 had none: a column of it is altered to today's)
 SELECT typname FROM pg_type t JOIN pg_depend d ON d.classid = 'pg_type'::regclass AND d.objid = t.oid AND d.deptype = 'e' JOIN pg_extension x ON x.oid = d.refobjid
-WHERE x.extname = 'asbuilt' AND t.typtype = 'b' AND t.typelem = 0
+WHERE x.extname = 'asbuilt' AND t.typtype = 'b' AND t.typelem = 0 AND t.typname <> 'ab_evidence_model_010'
   AND NOT (EXISTS (SELECT FROM pg_opclass c JOIN pg_am m ON m.oid = c.opcmethod WHERE c.opcintype = t.oid AND c.opcdefault AND m.amname = 'btree')
        AND EXISTS (SELECT FROM pg_opclass c JOIN pg_am m ON m.oid = c.opcmethod WHERE c.opcintype = t.oid AND c.opcdefault AND m.amname = 'hash'));
 
