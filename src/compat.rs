@@ -1,5 +1,5 @@
-//! What the SQL of 0.1.0 calls and today's does not: its functions live on as `_ab_…_010` (sql/install/99-compat.sql), for
-//! views that were made with them, and its own SQL runs until it is updated.
+//! What the SQL of 0.1.0 calls and today's does not: its functions live on as `_ab_…_010` (sql/install/99-compat.sql),
+//! for views that were made with them, and its own SQL runs until it is updated.
 
 use asbuilt_core::Result;
 use asbuilt_core::num::bytes::Reader;

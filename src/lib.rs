@@ -11,8 +11,8 @@
 //! * [`error`]: the one map from core's errors to SQLSTATE and hint;
 //! * [`pg`]: the only place that touches PostgreSQL's memory.
 //!
-//! The SQL objects themselves are declared by hand in `sql/install`, a file a topic, in the order below. Names that begin
-//! with `_ab_` are for PostgreSQL, not for people.
+//! The SQL objects themselves are declared by hand in `sql/install`, a file a topic, in the order below. Names that
+//! begin with `_ab_` are for PostgreSQL, not for people.
 
 mod aggregates;
 mod compat;

@@ -1,5 +1,5 @@
-//! `ab_evidence_model`: the parameters that were given, as `name=value` words; the others have their defaults where they are
-//! used.
+//! `ab_evidence_model`: the parameters that were given, as `name=value` words; the others have their defaults where they
+//! are used.
 
 use asbuilt_core::Result;
 use asbuilt_core::evidence::SensorPreset;

@@ -12,8 +12,8 @@ fn or_null(patch: Option<Patch>) -> Result<Ret> {
     Ok(patch.map_or(Ret::Null, |p| Ret::Bytes(p.to_bytes())))
 }
 
-/// Every beam of the patch in argument 0: origin, return, direction, range, intensity, colour. What did not return has a
-/// direction only.
+/// Every beam of the patch in argument 0: origin, return, direction, range, intensity, colour. What did not return has
+/// a direction only.
 pub fn beams(args: &Args, mut each: impl FnMut([Field; 6])) -> Result<()> {
     let (header, content) = Patch::content_of(args.bytes(0))?;
     let has_rays = header.origins() != Origins::Unknown;

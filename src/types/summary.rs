@@ -73,8 +73,8 @@ pub fn summary_fields(s: &Summary) -> Vec<Field> {
     ]
 }
 
-/// Offset and standard deviations, three elements each: one is NULL where its axis is not determined, and both arrays are
-/// where none is.
+/// Offset and standard deviations, three elements each: one is NULL where its axis is not determined, and both arrays
+/// are where none is.
 fn shift_fields(shift: Option<&Shift>) -> [Field; 2] {
     let Some(t) = shift.filter(|t| (0..3).any(|i| t.determines(i))) else {
         return [Field::Null, Field::Null];

@@ -1,5 +1,5 @@
-//! Stored values that are `name=value` words (parameters): their text in a container with a version and a checksum. What a
-//! later release adds is a word.
+//! Stored values that are `name=value` words (parameters): their text in a container with a version and a checksum. What
+//! a later release adds is a word.
 
 use super::sections::{HEADER, begin, put_section, read};
 use crate::NEVER;
