@@ -77,7 +77,7 @@ COMMENT ON FUNCTION ab_footprint(ab_box, integer) IS 'A box from above as POLYGO
 
 -- Samples of evidence.
 
-CREATE FUNCTION ab_samples_geometry(e ab_evidence, loa ab_loa DEFAULT NULL) RETURNS geometry
+CREATE FUNCTION ab_samples_geometry(evidence ab_evidence, loa ab_loa DEFAULT NULL) RETURNS geometry
     LANGUAGE sql STABLE PARALLEL SAFE COST 5000000
-    RETURN (SELECT ST_Collect(ST_MakePoint(s."position"[1], s."position"[2], s."position"[3], s.deviation)) FROM ab_samples(e, loa) s WHERE s.deviation IS NOT NULL);
+    RETURN (SELECT ST_Collect(ST_MakePoint(s."position"[1], s."position"[2], s."position"[3], s.deviation)) FROM ab_samples(evidence, loa) s WHERE s.deviation IS NOT NULL);
 COMMENT ON FUNCTION ab_samples_geometry(ab_evidence, ab_loa) IS 'The samples that were seen as MULTIPOINT ZM; M is the deviation, metres (+ in front of the face)';

@@ -6,12 +6,17 @@ SELECT d.classid, d.objid FROM pg_depend d JOIN pg_extension x ON d.refobjid = x
 WHERE x.extname = 'asbuilt' AND d.deptype = 'e';
 SELECT format('| `%s` | %s |', t.typname, obj_description(t.oid, 'pg_type'))
 FROM member m JOIN pg_type t ON m.classid = 'pg_type'::regclass AND m.objid = t.oid
-WHERE t.typname !~ '^_' ORDER BY t.typname;
+WHERE t.typname !~ '^_|_010$' AND t.typtype <> 'c' ORDER BY t.typname;
 SELECT E'\n## Functions and aggregates\n\n| function | returns | what |\n| --- | --- | --- |';
 SELECT format('| `%s(%s)` | `%s` | %s |', p.proname, pg_get_function_arguments(p.oid), pg_get_function_result(p.oid), obj_description(p.oid, 'pg_proc'))
 FROM member m JOIN pg_proc p ON m.classid = 'pg_proc'::regclass AND m.objid = p.oid
-WHERE p.proname !~ '(_in|_out|_recv|_send|_accum|_combine|_serial|_deserial|_final)$' AND p.proname !~ '^(ab_gist|_ab)_'
+WHERE p.proname !~ '^_'
 ORDER BY p.proname, pg_get_function_arguments(p.oid);
+SELECT E'\n## Rows\n\nWhat functions of several columns return. Later versions add columns at the end.';
+SELECT coalesce(CASE WHEN a.attnum = 1 THEN format(E'\n### %s\n\n%s.\n\n| column | type | what |\n| --- | --- | --- |\n', t.typname, obj_description(t.oid, 'pg_type')) END, '')
+    || format('| `%s` | `%s` | %s |', a.attname, format_type(a.atttypid, NULL), col_description(a.attrelid, a.attnum))
+FROM member m JOIN pg_type t ON m.classid = 'pg_type'::regclass AND m.objid = t.oid AND t.typtype = 'c'
+JOIN pg_attribute a ON a.attrelid = t.typrelid AND a.attnum > 0 ORDER BY t.typname, a.attnum;
 SELECT E'\n## Operators\n\n| operator | what |\n| --- | --- |';
 SELECT format('| `%s %s %s` | %s |', format_type(o.oprleft, NULL), o.oprname, format_type(o.oprright, NULL), obj_description(o.oid, 'pg_operator'))
 FROM member m JOIN pg_operator o ON m.classid = 'pg_operator'::regclass AND m.objid = o.oid

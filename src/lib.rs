@@ -7,12 +7,15 @@
 //! * [`planner`]: statistics and selectivity;
 //! * [`gist`]: index support; the algorithms on boxes are core's;
 //! * [`settings`]: what `SET` and `SHOW` know;
+//! * [`compat`]: what the SQL of 0.1.0 calls and today's does not;
 //! * [`error`]: the one map from core's errors to SQLSTATE and hint;
 //! * [`pg`]: the only place that touches PostgreSQL's memory.
 //!
-//! The SQL objects themselves are declared by hand in `sql/install`, in the order below.
+//! The SQL objects themselves are declared by hand in `sql/install`, a file a topic, in the order below. Names that
+//! begin with `_ab_` are for PostgreSQL, not for people.
 
 mod aggregates;
+mod compat;
 mod error;
 mod gist;
 mod pg;
@@ -29,20 +32,19 @@ pub extern "C-unwind" fn _PG_init() {
     settings::declare();
 }
 
-pgrx::extension_sql_file!("../sql/install/01-types.sql", name = "types", bootstrap);
-pgrx::extension_sql_file!("../sql/install/02-geometry.sql", name = "geometry", requires = ["types"]);
-pgrx::extension_sql_file!("../sql/install/03-scan.sql", name = "scan", requires = ["geometry"]);
-pgrx::extension_sql_file!("../sql/install/04-belief.sql", name = "belief", requires = ["scan"]);
+pgrx::extension_sql_file!("../sql/install/00-types.sql", name = "types", bootstrap);
+pgrx::extension_sql_file!("../sql/install/01-solid.sql", name = "solid", requires = ["types"]);
+pgrx::extension_sql_file!("../sql/install/02-scan.sql", name = "scan", requires = ["solid"]);
+pgrx::extension_sql_file!("../sql/install/03-uncertain.sql", name = "uncertain", requires = ["scan"]);
+pgrx::extension_sql_file!("../sql/install/04-belief.sql", name = "belief", requires = ["uncertain"]);
 pgrx::extension_sql_file!("../sql/install/05-evidence.sql", name = "evidence", requires = ["belief"]);
-pgrx::extension_sql_file!("../sql/install/06-operators.sql", name = "operators", requires = ["evidence"]);
-pgrx::extension_sql_file!("../sql/install/07-gist.sql", name = "gist", requires = ["operators"]);
-pgrx::extension_sql_file!("../sql/install/08-uncertain.sql", name = "uncertain", requires = ["gist"]);
-pgrx::extension_sql_file!("../sql/install/09-relations.sql", name = "relations", requires = ["uncertain"]);
-pgrx::extension_sql_file!("../sql/install/10-belief-calculus.sql", name = "calculus", requires = ["relations"]);
-pgrx::extension_sql_file!("../sql/install/11-uncertain-index.sql", name = "uncertain_index", requires = ["calculus"]);
-pgrx::extension_sql_file!("../sql/install/12-patches.sql", name = "patches", requires = ["uncertain_index"]);
-pgrx::extension_sql_file!("../sql/install/13-nearness.sql", name = "nearness", requires = ["patches"]);
-pgrx::extension_sql_file!("../sql/install/14-exchange.sql", name = "exchange", requires = ["nearness"]);
-pgrx::extension_sql_file!("../sql/install/15-voxels.sql", name = "voxels", requires = ["exchange"]);
-pgrx::extension_sql_file!("../sql/install/16-voxel-index.sql", name = "voxel_index", requires = ["voxels"]);
-pgrx::extension_sql_file!("../sql/install/17-order.sql", name = "order", requires = ["voxel_index"], finalize);
+pgrx::extension_sql_file!("../sql/install/06-voxel.sql", name = "voxel", requires = ["evidence"]);
+pgrx::extension_sql_file!("../sql/install/10-operators.sql", name = "operators", requires = ["voxel"]);
+pgrx::extension_sql_file!("../sql/install/11-opclass_gist.sql", name = "opclass_gist", requires = ["operators"]);
+pgrx::extension_sql_file!("../sql/install/12-opclass_btree.sql", name = "opclass_btree", requires = ["opclass_gist"]);
+pgrx::extension_sql_file!("../sql/install/13-opclass_hash.sql", name = "opclass_hash", requires = ["opclass_btree"]);
+pgrx::extension_sql_file!("../sql/install/20-casts.sql", name = "casts", requires = ["opclass_hash"]);
+pgrx::extension_sql_file!("../sql/install/30-planner.sql", name = "planner", requires = ["casts"]);
+pgrx::extension_sql_file!("../sql/install/40-exchange.sql", name = "exchange", requires = ["planner"]);
+pgrx::extension_sql_file!("../sql/install/50-session.sql", name = "session", requires = ["exchange"]);
+pgrx::extension_sql_file!("../sql/install/99-compat.sql", name = "compat", requires = ["session"], finalize);

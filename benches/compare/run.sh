@@ -11,8 +11,8 @@ copy() { psql -XAtq -F ' ' -c "$1"; }
 [ -e "$out/scan.xyz" ] || copy "SELECT round(point[1]::numeric, 4), round(point[2]::numeric, 4), round(point[3]::numeric, 4)
       FROM scan, LATERAL ab_beams(patch) WHERE epoch = $epoch AND point IS NOT NULL" >"$out/scan.xyz"
 [ -e "$out/model.xyz" ] || copy "SELECT round(s.position[1]::numeric, 4), round(s.position[2]::numeric, 4), round(s.position[3]::numeric, 4)
-      FROM (SELECT ab_evidence_agg(solid, NULL, ab_evidence_model(spacing => 0.02)) AS e FROM building_object GROUP BY id) e,
-           LATERAL ab_samples(e.e) s" >"$out/model.xyz"
+      FROM (SELECT ab_evidence_agg(solid, NULL, ab_evidence_model(spacing => 0.02)) AS evidence FROM building_object GROUP BY id) e,
+           LATERAL ab_samples(e.evidence) s" >"$out/model.xyz"
 [ -e "$out/model.obj" ] || copy "COPY (SELECT ab_vertices(solid)::text || ';' || ab_triangles(solid)::text FROM building_object) TO STDOUT" | python3 -c "
 import sys
 offset = 1

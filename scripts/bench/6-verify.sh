@@ -47,7 +47,7 @@ done
 
 status() { echo "SELECT substring(pg_read_file('/proc/self/status', 0, 4000) FROM '$1:\s+(\d+)')::int / 1024 || ' MB'"; }
 row "peak memory of the process before and after the 10 M beams at 2 cm" "$(psql -XAtq -c "$(status VmHWM)" -c "$(to_table 4 0 0.02)" -c "$(status VmHWM)" | paste -sd' ')"
-row "sample-stations in that evidence (samples times stations that saw the object)" "$(ask "SELECT sum(ab_count(e)::bigint * ab_station_count(e)) FROM ab_verify_table('SELECT id, solid FROM building_object', 'SELECT patch FROM scan WHERE epoch = 4')")"
+row "sample-stations in that evidence (samples times stations that saw the object)" "$(ask "SELECT sum(ab_count(evidence)::bigint * ab_station_count(evidence)) FROM ab_verify_table('SELECT id, solid FROM building_object', 'SELECT patch FROM scan WHERE epoch = 4')")"
 some="ab_verify_table('SELECT id, solid FROM building_object WHERE name LIKE ''wall x1%''', 'SELECT patch FROM scan WHERE epoch = 1 LIMIT 20', ab_evidence_model(spacing => 0.1))"
 for workers in 0 1; do
   row "resident memory in one session after 100 calls and after 1000, workers $workers" "$(psql -XAtq -c "SET max_parallel_workers_per_gather = $workers" -c "$(for _ in $(seq 100); do echo "SELECT FROM $some;"; done)" -c "$(status VmRSS)" -c "$(for _ in $(seq 900); do echo "SELECT FROM $some;"; done)" -c "$(status VmRSS)" | grep MB | paste -sd' ')"

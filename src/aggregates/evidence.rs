@@ -10,6 +10,9 @@ use crate::pg::{Account, AggState, Args, Backend, Ret, aggregate_state, deserial
 use crate::types::model_arg;
 use crate::types::uncertain::value;
 
+/// Reads the model in an argument.
+pub type ModelArg = fn(&Args, usize) -> Result<EvidenceModel>;
+
 /// Evidence about one solid, gathered by one worker.
 #[derive(Default)]
 enum State {
@@ -51,9 +54,8 @@ impl State {
         }
     }
 
-    /// The collector for the row's solid (argument 1) and model (argument `m`), made at the first row.
-    fn collecting(&mut self, args: &Args, m: usize) -> Result<&mut Collector> {
-        let model = model_arg(args, m)?;
+    /// The collector for the row's solid (argument 1) and model, made at the first row.
+    fn collecting(&mut self, args: &Args, model: EvidenceModel) -> Result<&mut Collector> {
         if matches!(self, Self::Empty) {
             let solid = Solid::from_stored(args.bytes(1), &Backend)?;
             let collector = Collector::new(&solid, model, &Backend)?;
@@ -79,37 +81,41 @@ fn state(args: &Args, i: usize) -> Result<AggState<State>> {
     aggregate_state(args, i, || Ok(State::default()))
 }
 
+/// transition(state, solid, patch, model): a NULL patch adds nothing, but the object is there.
+pub fn absorb_patch(args: &Args, model: ModelArg) -> Result<Ret> {
+    let mut state = state(args, 0)?;
+    if !args.is_null(1) {
+        let collector = state.get().collecting(args, model(args, 3)?)?;
+        if !args.is_null(2) && collector.concerns(&Header::read(args.prefix(2, Header::LEN))?) {
+            collector.absorb(args.bytes(2), &Backend)?;
+        }
+    }
+    Ok(state.ret())
+}
+
+/// transition(state, solid, tie point, cameras, model): a NULL point adds nothing; without cameras it has no rays.
+pub fn absorb_tie_point(args: &Args, model: ModelArg) -> Result<Ret> {
+    let mut state = state(args, 0)?;
+    if !args.is_null(1) {
+        let collector = state.get().collecting(args, model(args, 4)?)?;
+        if !args.is_null(2) {
+            let cameras = if args.is_null(3) { Vec::new() } else { args.f64_triples(3, "the cameras")? };
+            if let Some(c) = cameras.iter().flatten().find(|c| !c.is_finite()) {
+                return Err(Error::argument("a camera's coordinate", "finite", c));
+            }
+            let cameras: Vec<Vec3> = cameras.into_iter().map(Vec3::from).collect();
+            collector.absorb_tie_point(&value(args, 2), &cameras, &Backend)?;
+        }
+    }
+    Ok(state.ret())
+}
+
 sql_functions! {
     on Account::Evidence;
 
-    /// transition(state, solid, patch, model): a NULL patch adds nothing, but the object has evidence.
-    fn ab_evidence_accum(args) {
-        let mut state = state(args, 0)?;
-        if !args.is_null(1) {
-            let collector = state.get().collecting(args, 3)?;
-            if !args.is_null(2) && collector.concerns(&Header::read(args.prefix(2, Header::LEN))?) {
-                collector.absorb(args.bytes(2), &Backend)?;
-            }
-        }
-        Ok(state.ret())
-    }
+    fn ab_model_accum(args) { absorb_patch(args, model_arg) }
 
-    /// transition(state, solid, tie point, cameras, model): a NULL point adds nothing; without cameras it has no rays.
-    fn ab_evidence_accum_point(args) {
-        let mut state = state(args, 0)?;
-        if !args.is_null(1) {
-            let collector = state.get().collecting(args, 4)?;
-            if !args.is_null(2) {
-                let cameras = if args.is_null(3) { Vec::new() } else { args.f64_triples(3, "the cameras")? };
-                if let Some(c) = cameras.iter().flatten().find(|c| !c.is_finite()) {
-                    return Err(Error::argument("a camera's coordinate", "finite", c));
-                }
-                let cameras: Vec<Vec3> = cameras.into_iter().map(Vec3::from).collect();
-                collector.absorb_tie_point(&value(args, 2), &cameras, &Backend)?;
-            }
-        }
-        Ok(state.ret())
-    }
+    fn ab_model_accum_point(args) { absorb_tie_point(args, model_arg) }
 
     fn ab_evidence_combine(args) {
         let mut left = state(args, 0)?;

@@ -1,6 +1,6 @@
 //! Aggregates: transition, combine, serialise, final.
 
-mod evidence;
+pub mod evidence;
 mod occupancy;
 mod points;
 mod pool;

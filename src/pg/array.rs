@@ -65,12 +65,13 @@ pub fn triples<T: Copy>(dims: &[i32], values: &[T], what: &'static str) -> Resul
     }
 }
 
-/// A new array; `dims` multiply to the number of elements.
+/// A new array; `dims` multiply to the number of elements, and so do `nulls`, where some are NULL.
 ///
 /// # Safety
 /// `element` must be the type of elements of length `len` passed by value in `datums`.
 pub unsafe fn write(
     datums: &mut [pg_sys::Datum],
+    nulls: Option<&mut [bool]>,
     dims: &[i32],
     element: pg_sys::Oid,
     len: i32,
@@ -78,10 +79,11 @@ pub unsafe fn write(
 ) -> pg_sys::Datum {
     let mut dims = dims.to_vec();
     let mut lower = vec![1; dims.len()];
+    let nulls = nulls.map_or(std::ptr::null_mut(), |n| n.as_mut_ptr());
     unsafe {
         pg_sys::construct_md_array(
             datums.as_mut_ptr(),
-            std::ptr::null_mut(),
+            nulls,
             dims.len() as i32,
             dims.as_mut_ptr(),
             lower.as_mut_ptr(),
@@ -115,11 +117,18 @@ pub unsafe fn of_varlenas(fcinfo: pg_sys::FunctionCallInfo, elements: &[Vec<u8>]
 /// A `float8[]`.
 pub fn of_f64(values: &[f64], dims: &[i32]) -> pg_sys::Datum {
     let mut datums: Vec<_> = values.iter().map(|v| pg_sys::Datum::from(v.to_bits() as usize)).collect();
-    unsafe { write(&mut datums, dims, pg_sys::FLOAT8OID, 8, b'd') }
+    unsafe { write(&mut datums, None, dims, pg_sys::FLOAT8OID, 8, b'd') }
 }
 
 /// An `int4[]`.
 pub fn of_i32(values: &[i32], dims: &[i32]) -> pg_sys::Datum {
     let mut datums: Vec<_> = values.iter().map(|&v| pg_sys::Datum::from(v)).collect();
-    unsafe { write(&mut datums, dims, pg_sys::INT4OID, 4, b'i') }
+    unsafe { write(&mut datums, None, dims, pg_sys::INT4OID, 4, b'i') }
+}
+
+/// A `float8[]` of three elements, NULL for `None`.
+pub fn of_axes(values: &[Option<f64>; 3]) -> pg_sys::Datum {
+    let mut datums = values.map(|v| pg_sys::Datum::from(v.unwrap_or_default().to_bits() as usize));
+    let mut nulls = values.map(|v| v.is_none());
+    unsafe { write(&mut datums, Some(&mut nulls), &[3], pg_sys::FLOAT8OID, 8, b'd') }
 }

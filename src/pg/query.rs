@@ -16,8 +16,6 @@ pub enum Column {
     Integer,
     /// One of our variable-length types, by name.
     Varlena(&'static str),
-    /// One of our fixed-length types, by name and length.
-    Fixed(&'static str, usize),
 }
 
 /// A value of a row; owned, so that it can be passed to other threads.
@@ -27,7 +25,7 @@ pub enum Cell {
     Null,
     /// An integer.
     Integer(i64),
-    /// Content of a variable-length or fixed-length value.
+    /// Content of a variable-length value.
     Bytes(Vec<u8>),
 }
 
@@ -114,7 +112,6 @@ enum Reader {
     Int32,
     Int64,
     Varlena,
-    Fixed(usize),
 }
 
 /// How to read each column that is there.
@@ -133,7 +130,6 @@ unsafe fn readers(args: &Args, query: &Query, desc: pg_sys::TupleDesc) -> Result
             Column::Integer if oid == pg_sys::INT4OID => Ok(Reader::Int32),
             Column::Integer if oid == pg_sys::INT8OID => Ok(Reader::Int64),
             Column::Varlena(name) if own.as_deref() == Some(name) => Ok(Reader::Varlena),
-            Column::Fixed(name, len) if own.as_deref() == Some(name) => Ok(Reader::Fixed(len)),
             _ => {
                 let name = unsafe { std::ffi::CStr::from_ptr(pg_sys::format_type_be(oid)) };
                 Err(wrong(format!("{} in column {}", name.to_string_lossy(), i + 1)))
@@ -154,7 +150,6 @@ unsafe fn row(tuple: pg_sys::HeapTuple, desc: pg_sys::TupleDesc, readers: &[Read
             Reader::Int16 => Cell::Integer(i64::from(datum.value() as i16)),
             Reader::Int32 => Cell::Integer(i64::from(datum.value() as i32)),
             Reader::Int64 => Cell::Integer(datum.value() as i64),
-            Reader::Fixed(len) => Cell::Bytes(std::slice::from_raw_parts(datum.cast_mut_ptr::<u8>(), len).to_vec()),
             Reader::Varlena => {
                 let stored: *mut pg_sys::varlena = datum.cast_mut_ptr();
                 let fetched = toast::fetch(stored);

@@ -27,6 +27,8 @@ pub enum Field {
     Loa(Loa),
     /// `float8[]` of three numbers.
     Vector([f64; 3]),
+    /// `float8[]` of three numbers along x, y and z, NULL where one is not known.
+    Axes([Option<f64>; 3]),
     /// `float8[]` with dimensions.
     Array(Vec<f64>, Vec<i32>),
     /// `integer[]` of one dimension.
@@ -53,6 +55,7 @@ impl Field {
             Self::Bytes(b) => varlena(b),
             Self::Loa(l) => pg_sys::Datum::from(enum_value(column_type, l.name())),
             Self::Vector(v) => array::of_f64(v, &[3]),
+            Self::Axes(v) => array::of_axes(v),
             Self::Array(v, dims) => array::of_f64(v, dims),
             Self::I32Array(v) => array::of_i32(v, &[v.len() as i32]),
             Self::Bool(b) => pg_sys::Datum::from(*b),

@@ -4,6 +4,7 @@ use asbuilt_core::Result;
 use asbuilt_core::verify::{Evidence, EvidenceHeader};
 
 use super::box_bytes;
+use super::evidence_model::Given;
 use super::hex::{hex_in, hex_out};
 use super::rollup::rolled_up;
 use crate::pg::{Account, Args, Backend, Ret, sql_functions};
@@ -11,7 +12,8 @@ use crate::pg::{Account, Args, Backend, Ret, sql_functions};
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_evidence:1:";
 
-fn header(args: &Args) -> Result<EvidenceHeader> {
+/// The header of the evidence in argument 0.
+pub fn header(args: &Args) -> Result<EvidenceHeader> {
     Evidence::header(args.prefix(0, Evidence::HEADER_LEN))
 }
 
@@ -56,9 +58,6 @@ sql_functions! {
         Ok(Ret::I32(header(args)?.stations as i32))
     }
 
-    fn ab_evidence_get_model(args) {
-        let mut bytes = Vec::new();
-        header(args)?.model.write(&mut bytes);
-        Ok(Ret::Fixed(bytes))
-    }
+    /// ab_model(evidence): all parameters count as given.
+    fn ab_model_of_evidence(args) { Given::all(header(args)?.model).ret() }
 }

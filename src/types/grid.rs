@@ -1,8 +1,8 @@
-//! `ab_grid`: core's byte form; `name=value` words as text.
+//! `ab_grid`: `name=value` words.
 
 use asbuilt_core::error::Limited;
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::num::bytes::Reader;
+use asbuilt_core::num::words::Words;
 use asbuilt_core::scan::NO_RETURN_REACH_M;
 use asbuilt_core::voxel::Grid;
 use asbuilt_core::{Budget, Error, Result};
@@ -13,23 +13,19 @@ use crate::pg::{Args, Backend, Field, Ret, Rows, sql_functions};
 /// Most tiles that `ab_tiles` returns.
 const MOST_TILES: f64 = 1e7;
 
-fn parse(bytes: &[u8]) -> Result<Grid> {
-    let mut r = Reader::new(bytes, "ab_grid");
-    let grid = Grid::read(&mut r)?;
-    r.finish()?;
-    Ok(grid)
-}
+const WORDS: Words = Words { ty: "ab_grid", letter: b'G' };
 
-/// The stored form.
+/// The stored form. Zero has no sign: equal grids are equal bytes.
 pub fn grid_ret(grid: &Grid) -> Result<Ret> {
-    let mut bytes = Vec::with_capacity(Grid::LEN);
-    grid.write(&mut bytes);
-    Ok(Ret::Fixed(bytes))
+    let tile = Aabb { min: grid.tile.min.map(|c| c + 0.0), max: grid.tile.max.map(|c| c + 0.0) };
+    let (margin, no_return_range) = (grid.margin + 0.0, grid.no_return_range + 0.0);
+    let text = Grid { tile, margin, no_return_range, ..*grid }.to_text();
+    Ok(Ret::Bytes(WORDS.encode(&text)?))
 }
 
 /// The grid in argument `i`.
 pub fn grid_arg(args: &Args, i: usize) -> Result<Grid> {
-    parse(&args.fixed::<{ Grid::LEN }>(i))
+    WORDS.decode(args.bytes(i), Grid::from_text)
 }
 
 /// The box in argument `i`, or all space.
@@ -48,9 +44,9 @@ sql_functions! {
 
     fn ab_grid_out(args) { Ok(Ret::CString(grid_arg(args, 0)?.to_text())) }
 
-    fn ab_grid_recv(args) { grid_ret(&parse(args.message(0))?) }
+    fn ab_grid_recv(args) { grid_ret(&WORDS.decode(args.message(0), Grid::from_text)?) }
 
-    fn ab_grid_send(args) { Ok(Ret::Bytes(args.fixed::<{ Grid::LEN }>(0).to_vec())) }
+    fn ab_grid_send(args) { Ok(args.copied(0)) }
 
     /// ab_grid(voxel, tile, margin, no_return_range, exact)
     fn ab_grid_make(args) {

@@ -19,6 +19,7 @@ sql_functions! {
         Ok(Ret::Null)
     }
 
+    /// ab_upper_bound(loa)
     fn ab_tolerance(args) {
         Ok(Ret::F64(args.loa(0)?.upper()))
     }

@@ -4,7 +4,7 @@ mod aabb;
 mod accuracy;
 mod belief;
 mod change;
-mod evidence;
+pub mod evidence;
 mod evidence_model;
 mod grid;
 mod hex;
@@ -28,6 +28,8 @@ mod verify_table;
 mod voxelize;
 
 pub use aabb::{BOX_LEN, box_bytes, box_from};
-pub use evidence_model::model_arg;
+pub use evidence_model::{Given, model_arg};
 pub use grid::grid_arg;
 pub use mass::{mass_arg, mass_bytes, mass_ret};
+pub use patch::beams;
+pub use summary::{shift_arg, summary_arg, summary_fields};

@@ -6,8 +6,8 @@ use std::cmp::Ordering;
 
 use asbuilt_core::geometry::Solid;
 use asbuilt_core::scan::{Header, Patch};
-use asbuilt_core::verify::{Evidence, EvidenceModel};
-use asbuilt_core::voxel::{Change, Grid, Occupancy};
+use asbuilt_core::verify::Evidence;
+use asbuilt_core::voxel::{Change, Occupancy};
 use asbuilt_core::{Budget, Error, Result};
 
 use crate::pg::{Args, Backend, Ret, sql_functions};
@@ -43,10 +43,6 @@ fn order(args: &Args) -> Result<Ordering> {
     Ok(a.len().cmp(&b.len()))
 }
 
-fn order_of_fixed<const N: usize>(args: &Args) -> Ordering {
-    args.fixed::<N>(0).cmp(&args.fixed::<N>(1))
-}
-
 /// Hash indexes store these: after a change of layout they must be rebuilt.
 fn hash(bytes: &[u8], start: u32) -> Result<u32> {
     let mut crc = crc32fast::Hasher::new_with_initial(start);
@@ -78,23 +74,5 @@ sql_functions! {
     fn ab_bytes_hash(args) { plain(&current(args.bytes(0))?) }
     fn ab_bytes_hash_extended(args) { extended(args, &current(args.bytes(0))?) }
 
-    fn ab_grid_eq(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_eq())) }
-    fn ab_grid_ne(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_ne())) }
-    fn ab_grid_lt(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_lt())) }
-    fn ab_grid_le(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_le())) }
-    fn ab_grid_ge(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_ge())) }
-    fn ab_grid_gt(args) { Ok(Ret::Bool(order_of_fixed::<{ Grid::LEN }>(args).is_gt())) }
-    fn ab_grid_compare(args) { Ok(Ret::I32(order_of_fixed::<{ Grid::LEN }>(args) as i32)) }
-    fn ab_grid_hash(args) { plain(&args.fixed::<{ Grid::LEN }>(0)) }
-    fn ab_grid_hash_extended(args) { extended(args, &args.fixed::<{ Grid::LEN }>(0)) }
 
-    fn ab_evidence_model_eq(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_eq())) }
-    fn ab_evidence_model_ne(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_ne())) }
-    fn ab_evidence_model_lt(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_lt())) }
-    fn ab_evidence_model_le(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_le())) }
-    fn ab_evidence_model_ge(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_ge())) }
-    fn ab_evidence_model_gt(args) { Ok(Ret::Bool(order_of_fixed::<{ EvidenceModel::LEN }>(args).is_gt())) }
-    fn ab_evidence_model_compare(args) { Ok(Ret::I32(order_of_fixed::<{ EvidenceModel::LEN }>(args) as i32)) }
-    fn ab_evidence_model_hash(args) { plain(&args.fixed::<{ EvidenceModel::LEN }>(0)) }
-    fn ab_evidence_model_hash_extended(args) { extended(args, &args.fixed::<{ EvidenceModel::LEN }>(0)) }
 }

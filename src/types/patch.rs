@@ -6,10 +6,32 @@ use asbuilt_core::{Error, Result};
 
 use super::scan::header;
 use super::{box_from, uncertain};
-use crate::pg::{Backend, Field, Ret, Rows, sql_functions};
+use crate::pg::{Args, Backend, Field, Ret, Rows, sql_functions};
 
 fn or_null(patch: Option<Patch>) -> Result<Ret> {
     Ok(patch.map_or(Ret::Null, |p| Ret::Bytes(p.to_bytes())))
+}
+
+/// Every beam of the patch in argument 0: origin, return, direction, range, intensity, colour. What did not return has
+/// a direction only.
+pub fn beams(args: &Args, mut each: impl FnMut([Field; 6])) -> Result<()> {
+    let (header, content) = Patch::content_of(args.bytes(0))?;
+    let has_rays = header.origins() != Origins::Unknown;
+    for (i, b) in content.beams.iter().enumerate() {
+        let range = b.offset.norm();
+        let when = |there: bool, field: Field| if there { field } else { Field::Null };
+        let intensity = content.intensity.as_ref().filter(|_| b.returned);
+        let colour = content.colour.as_ref().filter(|_| b.returned);
+        each([
+            when(has_rays, Field::Vector((header.origin + content.start(i)).into())),
+            when(b.returned, Field::Vector((header.origin + content.end(i)).into())),
+            when(has_rays && range > 0.0, Field::Vector((b.offset / range).into())),
+            when(has_rays && b.returned, Field::F64(range)),
+            Field::or_null(intensity, |p| Field::I32(p[i].into())),
+            Field::or_null(colour, |p| Field::I32Array(p[i].map(i32::from).to_vec())),
+        ]);
+    }
+    Ok(())
 }
 
 sql_functions! {
@@ -29,26 +51,9 @@ sql_functions! {
     }
 
     /// ab_beams(patch): a beam without return has only a direction.
-    fn ab_scan_beams(args) {
+    fn ab_patch_beams(args) {
         let mut rows = Rows::new(args)?;
-        let (header, content) = Patch::content_of(args.bytes(0))?;
-        let has_rays = header.origins() != Origins::Unknown;
-        for (i, b) in content.beams.iter().enumerate() {
-            let range = b.offset.norm();
-            let when = |there: bool, field: Field| if there { field } else { Field::Null };
-            let row = [
-                when(has_rays, Field::Vector((header.origin + content.start(i)).into())),
-                when(b.returned, Field::Vector((header.origin + content.end(i)).into())),
-                when(has_rays && range > 0.0, Field::Vector((b.offset / range).into())),
-                when(has_rays && b.returned, Field::F64(range)),
-                Field::or_null(content.intensity.as_ref().filter(|_| b.returned), |p| Field::I32(p[i].into())),
-                Field::or_null(content.colour.as_ref().filter(|_| b.returned), |p| {
-                    Field::I32Array(p[i].map(i32::from).to_vec())
-                }),
-            ];
-            // The SQL of 0.1.0 has no columns for the planes.
-            rows.push(&row[..rows.width().min(row.len())]);
-        }
+        beams(args, |beam| rows.push(&beam))?;
         Ok(Ret::Null)
     }
 

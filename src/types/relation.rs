@@ -45,8 +45,6 @@ sql_functions! {
     fn ab_scan_contains(args) { contains(args, of_scan) }
     fn ab_scan_contained(args) { contained(args, of_scan) }
     fn ab_scan_same(args) { same(args, of_scan) }
-    /// The SQL of 0.1.0 measures to the hull; it calls this until it is updated.
-    fn ab_scan_distance(args) { distance(args, of_scan, of_box) }
     fn ab_scan_distance_box(args) { distance(args, returns, of_box) }
     fn ab_scan_distance_point(args) { distance(args, returns, place) }
 

@@ -1,4 +1,4 @@
-//! `ab_samples(e)`, `ab_faces(e)`, `ab_stations(e)`: what is believed where, and who saw it.
+//! `ab_samples(evidence)`, `ab_faces(evidence)`, `ab_stations(evidence)`: what is believed where, and who saw it.
 
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::verify::{Evidence, Place};

@@ -1,7 +1,7 @@
-//! `ab_summary(e)`, `ab_verdict(e)`, `ab_shift(e)`: the answers.
+//! `ab_summary(evidence)`, `ab_verdict(evidence)`, `ab_shift(evidence)`: the answers.
 
 use asbuilt_core::Result;
-use asbuilt_core::verify::{Evidence, EvidenceModel, Summary, VerdictRule};
+use asbuilt_core::verify::{Evidence, EvidenceModel, Shift, Summary, VerdictRule};
 
 use crate::pg::{Account, Args, Backend, Field, Ret, sql_functions};
 
@@ -39,13 +39,25 @@ pub fn rule(args: &Args, i: usize) -> Result<VerdictRule> {
     Ok(rule)
 }
 
-fn summary(args: &Args) -> Result<Summary> {
+/// The summary of the evidence in argument 0, as the arguments behind it ask; none for NULL.
+pub fn summary_arg(args: &Args) -> Result<Option<Summary>> {
+    if args.is_null(0) {
+        return Ok(None);
+    }
     let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
-    e.summary(&question(args, &e, 1)?, &rule(args, 3)?, &Backend)
+    e.summary(&question(args, &e, 1)?, &rule(args, 3)?, &Backend).map(Some)
 }
 
-/// The columns of `ab_summary`.
-pub fn row(s: &Summary) -> Vec<Field> {
+/// The rigid offset of the evidence in argument 0; none for NULL, and where no direction is determined.
+pub fn shift_arg(args: &Args) -> Result<Option<Shift>> {
+    if args.is_null(0) {
+        return Ok(None);
+    }
+    Evidence::from_bytes(args.bytes(0), &Backend)?.rigid_shift(&Backend)
+}
+
+/// The columns of `ab_summary` up to the shift.
+pub fn summary_fields(s: &Summary) -> Vec<Field> {
     let share = |f: fn(&asbuilt_core::verify::Shares) -> f64| Field::or_null(s.shares.as_ref(), |x| Field::F64(f(x)));
     vec![
         Field::Text(s.verdict.name().into()),
@@ -58,19 +70,31 @@ pub fn row(s: &Summary) -> Vec<Field> {
         share(|x| x.conflict),
         Field::or_null(s.deviation, |d| Field::F64(d.0)),
         Field::or_null(s.deviation, |d| Field::F64(d.1)),
-        Field::or_null(s.shift.as_ref(), |t| Field::Text(t.to_text())),
     ]
+}
+
+/// Offset and standard deviations, three elements each: one is NULL where its axis is not determined, and both arrays
+/// are where none is.
+fn shift_fields(shift: Option<&Shift>) -> [Field; 2] {
+    let Some(t) = shift.filter(|t| (0..3).any(|i| t.determines(i))) else {
+        return [Field::Null, Field::Null];
+    };
+    let along = |of: &dyn Fn(usize) -> f64| Field::Axes([0, 1, 2].map(|i| t.determines(i).then(|| of(i))));
+    [along(&|i| t.vector[i]), along(&|i| t.sd(i))]
+}
+
+/// The columns of `ab_summary`.
+pub fn row(s: &Summary) -> Vec<Field> {
+    let mut fields = summary_fields(s);
+    fields.extend(shift_fields(s.shift.as_ref()));
+    fields
 }
 
 sql_functions! {
     on Account::Evidence;
 
-    fn ab_summary(args) {
-        if args.is_null(0) {
-            return Ok(Ret::Null);
-        }
-        Ok(Ret::Row(row(&summary(args)?)))
-    }
+    /// ab_summary(evidence, loa, confidence, min_confirmed, min_coverage, max_conflict)
+    fn ab_evidence_summary(args) { Ok(summary_arg(args)?.map_or(Ret::Null, |s| Ret::Row(row(&s)))) }
 
     fn ab_verdict(args) {
         if args.is_null(0) {
@@ -81,7 +105,7 @@ sql_functions! {
         Ok(Ret::text(verdict.name()))
     }
 
-    /// ab_explain(e, loa, confidence, min_confirmed, min_coverage, max_conflict)
+    /// ab_explain(evidence, loa, confidence, min_confirmed, min_coverage, max_conflict)
     fn ab_explain(args) {
         if args.is_null(0) {
             return Ok(Ret::Null);
@@ -90,18 +114,11 @@ sql_functions! {
         Ok(Ret::text(&e.explain(&question(args, &e, 1)?, &rule(args, 3)?, &Backend)?))
     }
 
-    /// The rigid offset as numbers: vector, standard deviations, undetermined directions.
-    fn ab_shift(args) {
+    /// ab_shift(evidence)
+    fn ab_evidence_shift(args) {
         if args.is_null(0) {
             return Ok(Ret::Null);
         }
-        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
-        let Some(t) = e.rigid_shift(&Backend)? else {
-            return Ok(Ret::Null);
-        };
-        let axis = |i: usize, x: f64| if t.determines(i) { Field::F64(x) } else { Field::Null };
-        let mut fields: Vec<Field> = (0..3).map(|i| axis(i, t.vector[i])).collect();
-        fields.extend((0..3).map(|i| axis(i, t.sd(i))));
-        Ok(Ret::Row(fields))
+        Ok(Ret::Row(shift_fields(shift_arg(args)?.as_ref()).to_vec()))
     }
 }

@@ -26,11 +26,7 @@ fn objects(args: &Args, model: &EvidenceModel, crew: &Crew) -> Result<Objects> {
     let query = Query {
         what: "the query of objects",
         text: &args.text(0),
-        columns: &[
-            Column::Integer,
-            Column::Varlena("ab_solid"),
-            Column::Fixed("ab_evidence_model", EvidenceModel::LEN),
-        ],
+        columns: &[Column::Integer, Column::Varlena("ab_solid"), Column::Varlena("ab_evidence_model")],
         optional: 1,
         expected: "a SELECT of an integer id, an ab_solid and perhaps an ab_evidence_model",
     };

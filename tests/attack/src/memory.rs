@@ -23,7 +23,7 @@ const HEAVY: &[(&str, bool, &str)] = &[
     (
         "verify_table 3 mm",
         true,
-        "SELECT count(e) FROM ab_verify_table('SELECT id, solid FROM heavy.solids', 'SELECT patch FROM heavy.scans', ab_evidence_model(spacing => 0.003))",
+        "SELECT count(evidence) FROM ab_verify_table('SELECT id, solid FROM heavy.solids', 'SELECT patch FROM heavy.scans', ab_evidence_model(spacing => 0.003))",
     ),
     ("occupancy_agg 4 mm", true, "SELECT ab_box(ab_occupancy_agg(patch, ab_grid(0.004))) FROM heavy.scans"),
     (

@@ -191,10 +191,8 @@ impl Verdicts {
 
     /// The rigid offset, metres; `None` along undetermined axes.
     pub fn shift(&self, object: &str) -> [Option<f64>; 3] {
-        let text = self.row(object)["shift"].as_str().unwrap_or_else(|| panic!("{object} has no shift"));
-        let inner = text.trim_start_matches('(').split(')').next().unwrap();
-        let axes: Vec<Option<f64>> = inner.split(", ").map(|w| w.parse().ok()).collect();
-        axes.try_into().unwrap()
+        let axes = self.row(object)["shift"].as_array().unwrap_or_else(|| panic!("{object} has no shift"));
+        axes.iter().map(serde_json::Value::as_f64).collect::<Vec<_>>().try_into().unwrap()
     }
 
     /// Fails, naming all of them, unless every object has its verdict.

@@ -84,7 +84,7 @@ fn long_work_is_cancelled() {
     let long =
         "SELECT ab_evidence_agg(ab_solid(ab_box(0, 0, 0, 20, 20, 2)), NULL, ab_evidence_model(spacing => 0.0151))";
     let start = Instant::now();
-    client.query_one(&format!("SELECT octet_length(ab_evidence_send(({long})))"), &[]).unwrap();
+    client.query_one(&format!("SELECT octet_length(_ab_evidence_send(({long})))"), &[]).unwrap();
     let whole = start.elapsed();
     client.batch_execute("SET statement_timeout = 50").unwrap();
     let start = Instant::now();

@@ -59,7 +59,7 @@ fn plants() -> Vec<(&'static str, String)> {
         ("point box", evil("ab_point_box(ext.ab_scan)", "ext.ab_box")),
         ("grid", evil("ab_grid(float8, ext.ab_box, float8, float8, boolean)", "ext.ab_grid")),
         ("change", evil("ab_change(ext.ab_occupancy, ext.ab_occupancy, integer, float8)", "ext.ab_change")),
-        ("solid send", evil("ab_solid_send(ext.ab_solid)", "bytea")),
+        ("solid send", evil("_ab_solid_send(ext.ab_solid)", "bytea")),
         ("hashtext", evil("hashtext(text)", "integer")),
         ("to_regclass", evil("to_regclass(text)", "regclass")),
         ("lock", evil("pg_advisory_xact_lock(integer, integer)", "void")),

@@ -119,6 +119,11 @@ fn a_new_database_has_a_key_and_its_layout() {
         .unwrap()
         .get(0);
     assert_eq!(identity, "a");
+    // No column is a word that SQL keeps.
+    let kept = "SELECT coalesce(string_agg(attname, ', '), '') FROM pg_attribute JOIN pg_get_keywords() ON word = attname
+        WHERE attrelid IN ('building_object'::regclass, 'station'::regclass, 'scan'::regclass, 'asbuilt_layout'::regclass)
+        AND attnum > 0 AND (catcode = 'R' OR catcode = 'C' AND word <> 'position')";
+    assert_eq!(client.query_one(kept, &[]).unwrap().get::<_, String>(0), "");
     // Dumped and restored it is known again.
     let back = db.dumped_and_restored("layout_back");
     assert!(!back.asbuilt(&["load", text(&file("fresh.xyz"))]).contains("brought to"));

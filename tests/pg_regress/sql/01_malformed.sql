@@ -45,8 +45,8 @@ SELECT ab_evidence_model(spacing => 'nan');
 SELECT ab_evidence_model(confidence => 1);
 
 -- binary: truncated, too long, not finite, huge counts, newer versions
-SELECT encode(ab_solid_send(ab_solid(ab_box(0,0,0,1,1,1))), 'hex') AS solid \gset
-SELECT encode(ab_scan_send(ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[1,0,0],[1,0.01,0]]::float8[])), 'hex') AS scan \gset
+SELECT encode(_ab_solid_send(ab_solid(ab_box(0,0,0,1,1,1))), 'hex') AS solid \gset
+SELECT encode(_ab_scan_send(ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[1,0,0],[1,0.01,0]]::float8[])), 'hex') AS scan \gset
 SELECT ('ab_solid:1:' || left(:'solid', 100))::ab_solid;
 SELECT ('ab_solid:1:' || :'solid' || '00')::ab_solid;
 SELECT ('ab_solid:1:09' || substr(:'solid', 3))::ab_solid;
@@ -60,7 +60,7 @@ SELECT ('ab_scan:1:' || overlay(:'scan' placing 'ff' from length(:'scan') - 1 fo
 
 SELECT ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[1,2,3]]::float8[], step => 1e39);
 SELECT ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[1,2,3]]::float8[], step => 1e-50);
-SELECT encode(ab_evidence_send(ab_evidence_agg(ab_solid(ab_box(5,-0.1,-0.1,5.1,0.1,0.1)), ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[5,0,0],[5,0.01,0]]::float8[], 0.002), ab_evidence_model(spacing => 0.1))), 'hex') AS evidence \gset
+SELECT encode(_ab_evidence_send(ab_evidence_agg(ab_solid(ab_box(5,-0.1,-0.1,5.1,0.1,0.1)), ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[5,0,0],[5,0.01,0]]::float8[], 0.002), ab_evidence_model(spacing => 0.1))), 'hex') AS evidence \gset
 SELECT ('ab_evidence:1:' || left(:'evidence', 300))::ab_evidence;
 SELECT ('ab_evidence:1:' || :'evidence' || '00')::ab_evidence;
 SELECT ('ab_evidence:1:09' || substr(:'evidence', 3))::ab_evidence;

@@ -9,7 +9,7 @@ SELECT ab_combine(ab_mass(0.6, 0), ab_mass(0.5, 0.2)), ab_conflict(ab_mass(0.6, 
 SELECT ab_combine(m, ab_mass(0, 0)) ~= m AS vacuous_is_neutral FROM (SELECT ab_mass(0.3, 0.2) m) x;
 
 SELECT * FROM ab_loa_class();
-SELECT ab_tolerance('LOA30'), 'LOA10'::ab_loa < 'LOA50'::ab_loa AS coarser_is_less;
+SELECT ab_upper_bound('LOA30'), 'LOA10'::ab_loa < 'LOA50'::ab_loa AS coarser_is_less;
 
 SELECT ab_closedness(s), ab_volume(s), ab_area(s), ab_box(s) FROM (SELECT ab_solid(ab_box(0, 0, 0, 1, 2, 3)) s) x;
 SELECT ab_closedness(s), ab_area(s) FROM (SELECT ab_solid(ARRAY[[0,0,0],[1,0,0],[0,1,0]]::float8[], ARRAY[[0,1,2]]) s) x;

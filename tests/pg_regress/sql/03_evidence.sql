@@ -9,6 +9,10 @@ LANGUAGE sql AS $$
          (SELECT i * 0.004 AS z FROM generate_series(-26, 26) i) b
 $$;
 
+-- Numbers to a tenth of a millimetre.
+CREATE FUNCTION rounded(numbers float8[]) RETURNS numeric[] LANGUAGE sql
+RETURN (SELECT array_agg(round(v::numeric, 4) ORDER BY i) FROM unnest(numbers) WITH ORDINALITY u(v, i));
+
 CREATE TEMP TABLE cases (id int, what text, patch ab_scan);
 INSERT INTO cases VALUES
     (1, 'as drawn',               plane(5.0)),
@@ -21,7 +25,7 @@ INSERT INTO cases VALUES
 
 SELECT what, verdict, best_loa, samples, round(coverage::numeric, 2) AS coverage, round(confirmed::numeric, 2) AS confirmed,
        round(refuted::numeric, 2) AS refuted, round(open::numeric, 2) AS open,
-       round(deviation::numeric, 4) AS deviation, round(deviation_sd::numeric, 4) AS sd, shift
+       round(deviation::numeric, 4) AS deviation, round(deviation_sd::numeric, 4) AS sd, rounded(shift) AS shift, rounded(shift_sd) AS shift_sd
 FROM (SELECT id, what, ab_evidence_agg(solid, patch, ab_evidence_model('LOA30')) AS e FROM wall, cases GROUP BY id, what) x,
      LATERAL ab_summary(e)
 ORDER BY id;
@@ -67,11 +71,13 @@ SELECT count(*) FROM ab_faces(NULL);
 SELECT ab_verdict(NULL) IS NULL AS verdict, ab_evidence_agg(NULL, plane(5), ab_evidence_model()) IS NULL AS no_solid;
 SELECT ab_verdict(ab_evidence_agg(solid, NULL, NULL)) FROM wall;
 
--- the rigid offset as numbers: only along the normal of the one face that was seen
-SELECT round(x::numeric, 4) AS x, y, z, round(x_sd::numeric, 4) AS x_sd
+-- the rigid offset: only along the normal of the one face that was seen; NULL as a whole where nothing was
+SELECT rounded(shift) AS shift, rounded(shift_sd) AS shift_sd
 FROM (SELECT ab_evidence_agg(solid, patch, ab_evidence_model()) AS e FROM wall, cases WHERE id = 2) w, LATERAL ab_shift(e);
+SELECT s.shift, s.shift_sd FROM (SELECT ab_evidence_agg(solid, NULL, ab_evidence_model()) AS e FROM wall) w, ab_shift(e) s;
+SELECT * FROM ab_shift(NULL);
 
 -- the faces
 SELECT normal, seen > 0 AS seen, pierced FROM (SELECT ab_evidence_agg(solid, patch, ab_evidence_model()) AS e FROM wall, cases WHERE id = 1) w,
     LATERAL ab_faces(e) ORDER BY normal;
-DROP FUNCTION plane;
+DROP FUNCTION plane, rounded;

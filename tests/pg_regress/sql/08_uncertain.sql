@@ -22,7 +22,7 @@ SELECT ab_translation(q), ab_rotation(q), ab_scale(q), (ab_covariance(q))[7][7] 
 -- order, hash
 SELECT count(DISTINCT p) AS points, count(DISTINCT l::text) AS lines FROM (SELECT p, l FROM object UNION ALL SELECT p, l FROM copied) x;
 SELECT array_agg(ab_x(p) ORDER BY p) FROM (VALUES (ab_point(2,0,0)), (ab_point(-1,0,0)), (ab_point(1,5,0)), (ab_point(1,4,0))) v(p);
-SELECT ab_point(0,0,0) = ab_point(-0.0::float8,0,0) AS zero_is_zero, ab_hash(ab_point(0,0,0)) = ab_hash(ab_point(-0.0::float8,0,0)) AS hashes_alike;
+SELECT ab_point(0,0,0) = ab_point(-0.0::float8,0,0) AS zero_is_zero, _ab_hash(ab_point(0,0,0)) = _ab_hash(ab_point(-0.0::float8,0,0)) AS hashes_alike;
 CREATE INDEX ON object USING hash (pl);
 SET enable_seqscan = off;
 SELECT count(*) FROM object WHERE pl = (SELECT pl FROM copied WHERE id = 7);
@@ -76,8 +76,8 @@ SELECT (SELECT count(*) FROM by_index) > 100 AS found_some, (SELECT count(*) FRO
 CREATE TABLE segment AS SELECT id, ab_line(p, ab_point(ab_x(p) + 0.3, ab_y(p), ab_z(p), 0.01)) l FROM cloud;
 CREATE INDEX segment_l ON segment USING gist (l);
 SET enable_seqscan = off;
-SELECT count(*) > 50 AS found_some, count(*) = (SELECT count(*) FROM segment WHERE ab_overlaps(l, ab_box(4,4,0,5,5,1))) AS index_is_sequence FROM segment WHERE l && ab_box(4,4,0,5,5,1);
-SELECT count(*) > 30 AS found_some, count(*) = (SELECT count(*) FROM cloud WHERE ab_overlaps(p, ab_box(4,4,0,5,5,1))) AS index_is_sequence FROM cloud WHERE p && ab_box(4,4,0,5,5,1);
+SELECT count(*) > 50 AS found_some, count(*) = (SELECT count(*) FROM segment WHERE _ab_overlaps(l, ab_box(4,4,0,5,5,1))) AS index_is_sequence FROM segment WHERE l && ab_box(4,4,0,5,5,1);
+SELECT count(*) > 30 AS found_some, count(*) = (SELECT count(*) FROM cloud WHERE _ab_overlaps(p, ab_box(4,4,0,5,5,1))) AS index_is_sequence FROM cloud WHERE p && ab_box(4,4,0,5,5,1);
 RESET enable_seqscan;
 DROP TABLE object, copied, cloud, question, by_index, in_sequence, segment;
 
@@ -88,7 +88,7 @@ CREATE INDEX ON tie USING gist (p);
 SELECT id, verdict, best_loa, coverage > 0.2 AS seen FROM (SELECT id, ab_evidence_agg(solid, p, cameras, ab_evidence_model()) e FROM wall LEFT JOIN tie ON true GROUP BY id) x, ab_summary(e) ORDER BY 1;
 SELECT id, verdict, ab_station_count(e) FROM (SELECT id, ab_evidence_agg(solid, p, NULL, ab_evidence_model()) e FROM wall LEFT JOIN tie ON p && solid GROUP BY id) x, ab_summary(e) ORDER BY 1;
 SET enable_seqscan = off; SET enable_mergejoin = off; SET enable_hashjoin = off;
-SELECT (SELECT count(*) FROM wall JOIN tie ON p && solid) = (SELECT count(*) FROM wall JOIN tie ON ab_overlaps(solid, p)) AS index_is_sequence;
+SELECT (SELECT count(*) FROM wall JOIN tie ON p && solid) = (SELECT count(*) FROM wall JOIN tie ON _ab_overlaps(solid, p)) AS index_is_sequence;
 EXPLAIN (COSTS OFF) SELECT count(*) FROM wall JOIN tie ON p && solid;
 RESET enable_seqscan; RESET enable_mergejoin; RESET enable_hashjoin;
 SELECT ab_evidence_agg(solid, ab_point(0,0,0), '{{1,2}}', ab_evidence_model()) FROM wall WHERE id = 1;

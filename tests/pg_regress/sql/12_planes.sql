@@ -48,7 +48,7 @@ FROM (SELECT *, round((point[2] - 6e6) * 100)::int AS i, round(point[3] * 100)::
 SELECT bool_and(abs(origin[2] - point[2]) < 1e-9 AND abs(range^2 - 25 - (point[3] - 1.5)^2) < 1e-6 AND intensity = round((point[2] - 6e6) * 50)) AS as_made, count(*) FROM patch, ab_beams(p) WHERE kind = 'moving';
 SELECT bool_and(colour = ARRAY[round((point[2] - 6e6) * 100)::int, round(point[3] * 100)::int, 0]) AS as_made FROM patch, ab_beams(p) WHERE kind = 'cloud';
 -- round trips to the bit: text, binary; planes go along when filtered, thinned, moved, joined, cut anew
-SELECT kind, p::text::ab_scan::text = p::text AS by_text, ab_scan_send(p) = ab_scan_send(p::text::ab_scan) AS by_bytes FROM patch;
+SELECT kind, p::text::ab_scan::text = p::text AS by_text, _ab_scan_send(p) = _ab_scan_send(p::text::ab_scan) AS by_bytes FROM patch;
 SELECT kind, (SELECT count(*) FROM patch o, ab_beams(o.p) a JOIN ab_beams(f) b ON a.point = b.point AND a.origin IS NOT DISTINCT FROM b.origin AND a.intensity IS NOT DISTINCT FROM b.intensity AND a.colour IS NOT DISTINCT FROM b.colour WHERE o.kind = patch.kind) = ab_count(f) AS same, ab_count(f)
 FROM patch, ab_filter(p, ab_box(6e6, 6e6, 0.1, 6000006, 6000000.2, 0.3)) f;
 SELECT kind, ab_count(ab_thin(p, 0.1)) AS thinned FROM patch;
@@ -64,10 +64,10 @@ UNION ALL SELECT 'cloud', ab_origin(c), ab_count(c), (SELECT count(*) FROM ab_be
 -- damage of the payload is told as such, wherever it is
 \set VERBOSITY sqlstate
 CREATE FUNCTION damaged(p ab_scan, place int) RETURNS text LANGUAGE plpgsql AS $$
-DECLARE b bytea := ab_scan_send(p);
+DECLARE b bytea := _ab_scan_send(p);
 BEGIN PERFORM ('ab_scan:1:' || encode(set_byte(b, place, get_byte(b, place) # 255), 'hex'))::ab_scan; RETURN 'taken';
 EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE; END $$;
-SELECT kind, damaged(p, 200 + (i * 7919) % (length(ab_scan_send(p)) - 200)) AS sqlstate, count(*) FROM patch, generate_series(1, 200) i GROUP BY 1, 2 ORDER BY 1, 2;
+SELECT kind, damaged(p, 200 + (i * 7919) % (length(_ab_scan_send(p)) - 200)) AS sqlstate, count(*) FROM patch, generate_series(1, 200) i GROUP BY 1, 2 ORDER BY 1, 2;
 SELECT kind, damaged(p, 0) AS newer_version, damaged(p, 4) AS count_too_small, damaged(p, 7) AS count_huge FROM patch;
 SELECT DISTINCT damaged(p, i) FROM patch, generate_series(0, 199) i ORDER BY 1;
 DROP FUNCTION damaged; DROP TABLE patch, ret;

@@ -46,7 +46,7 @@ ANALYZE named;
 SELECT estimated('SELECT FROM named WHERE b::ab_box && ab_box(0.5, 0, 0, 100.5, 1, 1)') BETWEEN 50 AND 200 AS domain_of_boxes, estimated('SELECT FROM named WHERE c::ab_scan && ab_box(0.5, 0, 0, 100.5, 1, 1)') BETWEEN 50 AND 200 AS domain_of_patches;
 CREATE TYPE other.ab_scan AS ENUM ('a');
 CREATE FUNCTION other.never(ab_box, other.ab_scan) RETURNS boolean LANGUAGE plpgsql AS 'BEGIN RETURN false; END';
-CREATE OPERATOR other.&& (LEFTARG = ab_box, RIGHTARG = other.ab_scan, FUNCTION = other.never, RESTRICT = ab_overlap_sel, JOIN = ab_overlap_join_sel);
+CREATE OPERATOR other.&& (LEFTARG = ab_box, RIGHTARG = other.ab_scan, FUNCTION = other.never, RESTRICT = _ab_overlap_sel, JOIN = _ab_overlap_join_sel);
 SELECT estimated($$SELECT FROM named WHERE b::ab_box OPERATOR(other.&&) 'a'::other.ab_scan$$) >= 1 AS not_read;
 DROP TABLE named; DROP DOMAIN hull; SET client_min_messages = warning; DROP SCHEMA other CASCADE; RESET client_min_messages;
 -- points keep what PostgreSQL itself knows of a column

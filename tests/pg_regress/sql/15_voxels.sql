@@ -73,7 +73,7 @@ CREATE INDEX ON tiles USING gist (grid);
 ANALYZE tiles;
 SET enable_seqscan = off;
 EXPLAIN (COSTS OFF) SELECT count(*) FROM tiles WHERE grid && ab_solid(ab_box(5,0,0,6,1,1));
-SELECT count(*) > 0 AS some, count(*) = (SELECT count(*) FROM tiles WHERE ab_overlaps(grid, ab_solid(ab_box(5,0,0,6,1,1)))) AS same FROM tiles WHERE grid && ab_solid(ab_box(5,0,0,6,1,1));
+SELECT count(*) > 0 AS some, count(*) = (SELECT count(*) FROM tiles WHERE _ab_overlaps(grid, ab_solid(ab_box(5,0,0,6,1,1)))) AS same FROM tiles WHERE grid && ab_solid(ab_box(5,0,0,6,1,1));
 RESET enable_seqscan;
 
 -- wrong questions

@@ -21,20 +21,20 @@ ORDER BY id;
 
 -- The evidence is the aggregate's where no neighbour explains anything, to the last byte but the one that tells that the
 -- neighbours are known (and the header's checksum), with any number of workers.
-CREATE TABLE result (workers int, id bigint, e ab_evidence, verdict text, shift text);
+CREATE TABLE result (workers int, id bigint, evidence ab_evidence, verdict text, shift float8[]);
 DO $$ BEGIN
     FOR workers IN 0..2 LOOP
         PERFORM set_config('max_parallel_workers_per_gather', workers::text, true);
-        INSERT INTO result SELECT workers, id, e, verdict, shift
+        INSERT INTO result SELECT workers, id, evidence, verdict, shift
         FROM ab_verify_table('SELECT id, solid, ab_evidence_model(loa) FROM object', 'TABLE scan');
     END LOOP;
 END $$;
-SELECT count(*) AS rows, count(DISTINCT (id, e::text, verdict, shift)) AS different FROM result;
-SELECT o.name, substr(a.e, 23, 16) || substr(a.e, 47) = substr(r.e::text, 23, 16) || substr(r.e::text, 47) AS same
+SELECT count(*) AS rows, count(DISTINCT (id, evidence, verdict, shift)) AS different FROM result;
+SELECT o.name, substr(a.e, 23, 16) || substr(a.e, 47) = substr(r.evidence::text, 23, 16) || substr(r.evidence::text, 47) AS same
 FROM object o JOIN result r ON r.id = o.id AND workers = 0
 JOIN (SELECT o.id, ab_evidence_agg(o.solid, s.patch, ab_evidence_model())::text AS e FROM object o, scan s GROUP BY o.id) a ON a.id = o.id
 WHERE o.name IN ('wall', 'missing') ORDER BY 1;
-SELECT count(e) AS kept, count(verdict) AS judged FROM ab_verify_table('SELECT id, solid FROM object', 'TABLE scan', keep_evidence => false);
+SELECT count(evidence) AS kept, count(verdict) AS judged FROM ab_verify_table('SELECT id, solid FROM object', 'TABLE scan', keep_evidence => false);
 SELECT verdict FROM ab_verify_table('SELECT id, solid FROM object WHERE id = 1', 'SELECT NULL::ab_scan');
 SELECT count(*) FROM ab_verify_table('SELECT id, solid FROM object', NULL);
 SELECT ab_with_sensor(ab_evidence_model(), NULL);
@@ -43,13 +43,13 @@ SELECT ab_with_sensor(ab_evidence_model(), NULL);
 INSERT INTO scan
 SELECT ab_scan(ARRAY[0,1,0]::float8[], array_agg(ARRAY[5, 5 * i * 0.004, 5 * j * 0.004]::float8[]), 0.004, 2)
 FROM generate_series(-25, 24) i, generate_series(-25, 24) j;
-SELECT ab_rollup(a.e, b.e)::text = c.e::text AS as_if_at_once,
-       round((ab_summary(b.e)).coverage::numeric, 2) AS added, ab_station_count(c.e) AS stations
+SELECT ab_rollup(a.evidence, b.evidence) = c.evidence AS as_if_at_once,
+       round((ab_summary(b.evidence)).coverage::numeric, 2) AS added, ab_station_count(c.evidence) AS stations
 FROM ab_verify_table('SELECT 1, solid FROM object WHERE id = 1', 'SELECT patch FROM scan WHERE ab_station(patch) = 1') a,
      ab_verify_table('SELECT 1, solid FROM object WHERE id = 1', 'SELECT patch FROM scan WHERE ab_station(patch) = 2') b,
      ab_verify_table('SELECT 1, solid FROM object WHERE id = 1', 'TABLE scan') c;
 -- What each contributed: all that the second sees, the first saw, too.
-SELECT s.* FROM ab_verify_table('SELECT 1, solid FROM object WHERE id = 1', 'TABLE scan') c, ab_stations(c.e) s;
+SELECT s.* FROM ab_verify_table('SELECT 1, solid FROM object WHERE id = 1', 'TABLE scan') c, ab_stations(c.evidence) s;
 SELECT count(*) FROM ab_stations(NULL);
 
 -- What else may be given is refused, and says what was found.
@@ -68,9 +68,9 @@ SELECT * FROM ab_verify_table('SELECT id, solid, ab_evidence_model(spacing => 0.
 RESET asbuilt.max_evidence_memory;
 
 -- Why.
-SELECT ab_explain(e) FROM result WHERE id = 1 AND workers = 0;
-SELECT ab_explain(e, 'LOA50') FROM result WHERE id = 1 AND workers = 0;
-SELECT ab_explain(e) FROM result WHERE id = 3 AND workers = 0;
+SELECT ab_explain(evidence) FROM result WHERE id = 1 AND workers = 0;
+SELECT ab_explain(evidence, 'LOA50') FROM result WHERE id = 1 AND workers = 0;
+SELECT ab_explain(evidence) FROM result WHERE id = 3 AND workers = 0;
 SELECT ab_explain(ab_evidence_agg(solid, NULL, NULL)) FROM object WHERE id = 1;
 SELECT ab_explain(NULL) IS NULL AS null;
 

@@ -109,7 +109,7 @@ impl Counted {
 }
 
 fn objects(tx: &mut Transaction, names: &Names) -> Result<Vec<Counted>> {
-    let sql = names.sql("SELECT name, global_id, @ext.ab_solid_send(solid) FROM @building_object ORDER BY id");
+    let sql = names.sql("SELECT name, global_id, @ext._ab_solid_send(solid) FROM @building_object ORDER BY id");
     tx.query(&sql, &[]).map_err(explain)?.iter().map(Counted::of).collect()
 }
 

@@ -88,7 +88,7 @@ fn statement(old: Old) -> String {
         Old::Epoch(_) => of_epoch(8),
     };
     format!(
-        "SELECT @ext.ab_change_send(@ext.ab_clip(@ext.ab_change(t.old, t.new, $4::int4, $5::float8), t.tile))
+        "SELECT @ext._ab_change_send(@ext.ab_clip(@ext.ab_change(t.old, t.new, $4::int4, $5::float8), t.tile))
          FROM (SELECT $1::text::@ext.ab_box AS tile, {older} AS old, {} AS new
                FROM (SELECT @ext.ab_grid($3::float8, $2::text::@ext.ab_box, $6::float8, $7::float8, $10::bool) AS grid) a) t",
         of_epoch(9)

@@ -18,7 +18,7 @@ seen empty), unobserved (too little was seen to say), conflicting (stations cont
 
 coverage is seen/all samples; confirmed + refuted + open = 1 over the seen ones; deviation is the median of the
 worst well-seen face along its outward normal and shift the rigid offset (x, y, z) with its standard deviation, both
-in metres; '-' marks a direction that the seen faces do not determine.
+in metres; '-' marks an axis that the seen faces do not determine (JSON: null; CSV: an empty cell, a column an axis).
 
 CSV is guarded against spreadsheets: a text that begins with = + - @, a tab or a carriage return gets an apostrophe before
 it, numbers never; --format csv-exact writes everything as it is.")]
@@ -58,7 +58,7 @@ pub struct VerifyArgs {
 /// less well.
 const VERDICTS: &str = "
 SELECT o.name, o.global_id, o.ifc_class, o.storey, coalesce($2::text, o.loa::text), s.verdict, s.best_loa::text, s.samples,
-       s.coverage, s.confirmed, s.refuted, s.open, s.conflict, s.deviation, s.deviation_sd, s.shift
+       s.coverage, s.confirmed, s.refuted, s.open, s.conflict, s.deviation, s.deviation_sd, s.shift, s.shift_sd
 FROM   @building_object o
 JOIN   @ext.ab_verify_table(
            pg_catalog.format($9::text, $2::text, $3::text, $4::float8, $5::float8, $8::float8, $6::float8, $7::float8, $10::int8[]),
@@ -128,7 +128,8 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
         columns.extend(["global_id", "ifc_class", "storey"]);
     }
     columns.extend(["loa", "verdict", "best_loa", "samples", "coverage", "confirmed", "refuted", "open", "conflict"]);
-    columns.extend(["deviation", "deviation_sd", "shift"]);
+    columns.extend(["deviation", "deviation_sd"]);
+    columns.extend(shift_columns(args.format));
     let mut table = Table::new(&columns);
     for row in &rows {
         let text = |i: usize| row.get::<_, Option<String>>(i).map_or(Value::Null, Value::from);
@@ -142,8 +143,60 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
         let verdict = if text(5).is_null() { Value::from("unobserved") } else { text(5) };
         out.extend([text(4), verdict, text(6), samples]);
         out.extend((8..13).map(|i| number(i, 3)));
-        out.extend([number(13, 4), number(14, 4), text(15)]);
+        out.extend([number(13, 4), number(14, 4)]);
+        out.extend(shift(args.format, row.get(15), row.get(16)));
         table.push(out);
     }
     table.print(args.format)
+}
+
+/// One text for people, a number a column for spreadsheets, arrays for programs.
+fn shift_columns(format: Format) -> &'static [&'static str] {
+    match format {
+        Format::Table => &["shift"],
+        Format::Csv | Format::CsvExact => &["shift_x", "shift_y", "shift_z", "shift_sd_x", "shift_sd_y", "shift_sd_z"],
+        Format::Json => &["shift", "shift_sd"],
+    }
+}
+
+/// Numbers along x, y and z; `None` where the seen faces do not determine one, or any.
+type Axes = Option<Vec<Option<f64>>>;
+
+/// The rigid offset and its standard deviation under these columns, to a tenth of a millimetre.
+fn shift(format: Format, offset: Axes, sd: Axes) -> Vec<Value> {
+    let rounded = |axes: &Axes| axes.as_ref().map(|a| a.iter().map(|v| rounded(*v, 4)).collect::<Vec<_>>());
+    match format {
+        Format::Table => {
+            let words = |axes: Vec<Option<f64>>, word: fn(f64) -> String| {
+                axes.into_iter().map(|v| v.map_or("-".into(), word)).collect::<Vec<_>>().join(", ")
+            };
+            let text =
+                |(o, s)| format!("({}) +/- ({})", words(o, |v| format!("{v:+.4}")), words(s, |v| format!("{v:.4}")));
+            vec![offset.zip(sd).map_or(Value::Null, |both| text(both).into())]
+        }
+        Format::Csv | Format::CsvExact => {
+            [offset, sd].iter().flat_map(|axes| rounded(axes).unwrap_or(vec![Value::Null; 3])).collect()
+        }
+        Format::Json => [offset, sd].iter().map(|axes| rounded(axes).map_or(Value::Null, Value::from)).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shift_is_told_in_numbers() {
+        let (offset, sd) =
+            (Some(vec![Some(0.012_14), None, Some(-0.0003)]), Some(vec![Some(0.0004), None, Some(0.001)]));
+        let told = |format| {
+            let values = shift(format, offset.clone(), sd.clone());
+            assert_eq!(values.len(), shift_columns(format).len());
+            assert!(shift(format, None, None).iter().all(Value::is_null));
+            Value::from(values).to_string()
+        };
+        assert_eq!(told(Format::Table), r#"["(+0.0121, -, -0.0003) +/- (0.0004, -, 0.0010)"]"#);
+        assert_eq!(told(Format::Csv), "[0.0121,null,-0.0003,0.0004,null,0.001]");
+        assert_eq!(told(Format::Json), "[[0.0121,null,-0.0003],[0.0004,null,0.001]]");
+    }
 }

@@ -3,6 +3,7 @@
 //! * [`text`]: shortest decimal and hexadecimal text;
 //! * [`bytes`]: cursors that cannot read past the end;
 //! * [`sections`]: stored values as containers of sections;
+//! * [`words`]: parameters as named words, stored and as text;
 //! * [`sort`]: long sorts that can be interrupted;
 //! * [`stats`]: order statistics;
 //! * [`whole`]: the whole numbers beside a number;
@@ -19,3 +20,4 @@ pub mod sort;
 pub mod stats;
 pub mod text;
 pub(crate) mod whole;
+pub mod words;

@@ -2,7 +2,8 @@
 
 CREATE FUNCTION ab_box(xmin float8, ymin float8, zmin float8, xmax float8, ymax float8, zmax float8) RETURNS ab_box
     AS 'MODULE_PATHNAME', 'ab_box_make' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
-COMMENT ON FUNCTION ab_box(float8, float8, float8, float8, float8, float8) IS 'A box between two corners, given in any order; metres';
+COMMENT ON FUNCTION ab_box(float8, float8, float8, float8, float8, float8) IS
+    'A box between two corners, given in any order; metres';
 
 CREATE FUNCTION ab_min(box ab_box) RETURNS float8[]
     AS 'MODULE_PATHNAME', 'ab_box_min' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
@@ -22,7 +23,9 @@ COMMENT ON FUNCTION ab_volume(ab_box) IS 'Volume of a box, m3';
 
 CREATE FUNCTION ab_solid(vertices float8[], triangles integer[]) RETURNS ab_solid
     AS 'MODULE_PATHNAME', 'ab_solid_make' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000;
-COMMENT ON FUNCTION ab_solid(float8[], integer[]) IS 'A solid from vertices (n x 3, metres) and triangles (n x 3, vertex numbers from 0, counter-clockwise seen from outside); a closed one that is inside out is turned';
+COMMENT ON FUNCTION ab_solid(float8[], integer[]) IS
+    'A solid from vertices (n x 3, metres) and triangles (n x 3, vertex numbers from 0, counter-clockwise seen from '
+    'outside); a closed one that is inside out is turned';
 
 CREATE FUNCTION ab_solid(box ab_box) RETURNS ab_solid
     AS 'MODULE_PATHNAME', 'ab_solid_from_box' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100;
@@ -42,7 +45,8 @@ COMMENT ON FUNCTION ab_volume(ab_solid) IS 'Enclosed volume, m3; an error for an
 
 CREATE FUNCTION ab_closedness(solid ab_solid) RETURNS text
     AS 'MODULE_PATHNAME', 'ab_solid_closedness' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
-COMMENT ON FUNCTION ab_closedness(ab_solid) IS 'closed, closed but for T-junctions, or open surface: by the balance of its edges';
+COMMENT ON FUNCTION ab_closedness(ab_solid) IS
+    'closed, closed but for T-junctions, or open surface: by the balance of its edges';
 
 CREATE FUNCTION ab_vertices(solid ab_solid) RETURNS float8[]
     AS 'MODULE_PATHNAME', 'ab_solid_vertices' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000;
