@@ -6,16 +6,16 @@ use asbuilt_core::num::bytes::Reader;
 use asbuilt_core::verify::{EvidenceModel, Shift, Summary};
 
 use crate::aggregates::evidence::{absorb_patch, absorb_tie_point};
-use crate::pg::{Account, Args, Field, Ret, Rows, sql_functions};
+use crate::pg::{Account, Args, Field, Rows, SqlValue, sql_functions};
 use crate::types::evidence::header;
 use crate::types::overlap::{of_box, of_scan};
 use crate::types::{Given, beams, shift_arg, summary_arg, summary_fields};
 
 /// The fixed-length form of the parameters: `ab_evidence_model_010`, once `ab_evidence_model`.
-fn fixed(m: &EvidenceModel) -> Result<Ret> {
+fn fixed(m: &EvidenceModel) -> Result<SqlValue> {
     let mut bytes = Vec::with_capacity(EvidenceModel::LEN);
     m.write(&mut bytes);
-    Ok(Ret::Fixed(bytes))
+    Ok(SqlValue::Fixed(bytes))
 }
 
 fn parse(bytes: &[u8]) -> Result<EvidenceModel> {
@@ -50,19 +50,19 @@ sql_functions! {
 
     fn ab_evidence_accum_point(args) { absorb_tie_point(args, fixed_arg) }
 
-    fn ab_summary(args) { Ok(summary_arg(args)?.map_or(Ret::Null, |s| Ret::Row(summary(&s)))) }
+    fn ab_summary(args) { Ok(summary_arg(args)?.map_or(SqlValue::Null, |s| SqlValue::Row(summary(&s)))) }
 
-    fn ab_shift(args) { Ok(shift_arg(args)?.map_or(Ret::Null, |t| Ret::Row(shift(&t)))) }
+    fn ab_shift(args) { Ok(shift_arg(args)?.map_or(SqlValue::Null, |t| SqlValue::Row(shift(&t)))) }
 }
 
 sql_functions! {
     fn ab_evidence_model_in(args) { fixed(&EvidenceModel::from_text(&args.cstring(0))?) }
 
-    fn ab_evidence_model_out(args) { Ok(Ret::CString(fixed_arg(args, 0)?.to_text())) }
+    fn ab_evidence_model_out(args) { Ok(SqlValue::CString(fixed_arg(args, 0)?.to_text())) }
 
     fn ab_evidence_model_recv(args) { fixed(&parse(args.message(0))?) }
 
-    fn ab_evidence_model_send(args) { Ok(Ret::Bytes(args.fixed::<{ EvidenceModel::LEN }>(0).to_vec())) }
+    fn ab_evidence_model_send(args) { Ok(SqlValue::Bytes(args.fixed::<{ EvidenceModel::LEN }>(0).to_vec())) }
 
     fn ab_evidence_model_make(args) { fixed(&Given::from_args(args)?.model) }
 
@@ -75,9 +75,9 @@ sql_functions! {
     fn ab_scan_beams(args) {
         let mut rows = Rows::new(args)?;
         beams(args, |beam| rows.push(&beam[..4]))?;
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 
     /// From the hull of a patch, not from its returns.
-    fn ab_scan_distance(args) { Ok(Ret::F64(of_scan(args, 0)?.distance(&of_box(args, 1)?))) }
+    fn ab_scan_distance(args) { Ok(SqlValue::F64(of_scan(args, 0)?.distance(&of_box(args, 1)?))) }
 }

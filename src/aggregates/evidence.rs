@@ -6,7 +6,7 @@ use asbuilt_core::scan::Header;
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Account, AggState, Args, Backend, Ret, aggregate_state, deserialised_state, sql_functions};
+use crate::pg::{Account, AggState, Args, Backend, SqlValue, aggregate_state, deserialised_state, sql_functions};
 use crate::types::model_arg;
 use crate::types::uncertain::value;
 
@@ -82,7 +82,7 @@ fn state(args: &Args, i: usize) -> Result<AggState<State>> {
 }
 
 /// transition(state, solid, patch, model): a NULL patch adds nothing, but the object is there.
-pub fn absorb_patch(args: &Args, model: ModelArg) -> Result<Ret> {
+pub fn absorb_patch(args: &Args, model: ModelArg) -> Result<SqlValue> {
     let mut state = state(args, 0)?;
     if !args.is_null(1) {
         let collector = state.get().collecting(args, model(args, 3)?)?;
@@ -94,7 +94,7 @@ pub fn absorb_patch(args: &Args, model: ModelArg) -> Result<Ret> {
 }
 
 /// transition(state, solid, tie point, cameras, model): a NULL point adds nothing; without cameras it has no rays.
-pub fn absorb_tie_point(args: &Args, model: ModelArg) -> Result<Ret> {
+pub fn absorb_tie_point(args: &Args, model: ModelArg) -> Result<SqlValue> {
     let mut state = state(args, 0)?;
     if !args.is_null(1) {
         let collector = state.get().collecting(args, model(args, 4)?)?;
@@ -130,7 +130,7 @@ sql_functions! {
     fn ab_evidence_serial(args) {
         let mut state = state(args, 0)?;
         let bytes = state.get().evidence().map(|e| e.to_bytes(&Backend)).transpose()?;
-        Ok(Ret::Bytes(bytes.unwrap_or_default()))
+        Ok(SqlValue::Bytes(bytes.unwrap_or_default()))
     }
 
     fn ab_evidence_deserial(args) {
@@ -143,10 +143,10 @@ sql_functions! {
 
     fn ab_evidence_final(args) {
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let bytes = state(args, 0)?.get().evidence().map(|e| e.to_bytes(&Backend)).transpose()?;
-        Ok(bytes.map_or(Ret::Null, Ret::Bytes))
+        Ok(bytes.map_or(SqlValue::Null, SqlValue::Bytes))
     }
 
     /// transition(state, evidence) of ab_rollup_agg.

@@ -5,7 +5,7 @@ use asbuilt_core::scan::Header;
 use asbuilt_core::voxel::Occupancy;
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Account, AggState, Args, Backend, Ret, aggregate_state, deserialised_state, sql_functions};
+use crate::pg::{Account, AggState, Args, Backend, SqlValue, aggregate_state, deserialised_state, sql_functions};
 use crate::types::grid_arg;
 
 /// Occupancy gathered by one worker.
@@ -67,7 +67,7 @@ sql_functions! {
     }
 
     fn ab_occupancy_serial(args) {
-        Ok(Ret::Bytes(state(args, 0)?.get().to_bytes()?.unwrap_or_default()))
+        Ok(SqlValue::Bytes(state(args, 0)?.get().to_bytes()?.unwrap_or_default()))
     }
 
     fn ab_occupancy_deserial(args) {
@@ -80,9 +80,9 @@ sql_functions! {
 
     fn ab_occupancy_final(args) {
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
-        Ok(state(args, 0)?.get().to_bytes()?.map_or(Ret::Null, Ret::Bytes))
+        Ok(state(args, 0)?.get().to_bytes()?.map_or(SqlValue::Null, SqlValue::Bytes))
     }
 
     /// transition(state, occupancy) of ab_rollup_agg.

@@ -4,7 +4,7 @@ use asbuilt_core::error::Limited;
 use asbuilt_core::uncertain::{Point, Stored, fit};
 use asbuilt_core::{Error, Grow, Interrupt, Result};
 
-use crate::pg::{AggState, Args, Backend, Ret, aggregate_state, deserialised_state, sql_functions};
+use crate::pg::{AggState, Args, Backend, SqlValue, aggregate_state, deserialised_state, sql_functions};
 use crate::types::uncertain::{ret, value};
 
 /// Most points of one fit: they are in memory, 96 bytes each.
@@ -25,13 +25,16 @@ fn check(points: &[Point]) -> Result<()> {
 }
 
 /// What `fit` makes of the points; NULL where there is none.
-fn fitted<T: Stored<N> + Copy, const N: usize>(args: &Args, fit: fn(&[Point], Interrupt) -> Result<T>) -> Result<Ret> {
+fn fitted<T: Stored<N> + Copy, const N: usize>(
+    args: &Args,
+    fit: fn(&[Point], Interrupt) -> Result<T>,
+) -> Result<SqlValue> {
     if args.is_null(0) {
-        return Ok(Ret::Null);
+        return Ok(SqlValue::Null);
     }
     let mut state = state(args, 0)?;
     let points = state.get();
-    if points.is_empty() { Ok(Ret::Null) } else { ret(&fit(points, &Backend)?) }
+    if points.is_empty() { Ok(SqlValue::Null) } else { ret(&fit(points, &Backend)?) }
 }
 
 sql_functions! {
@@ -59,7 +62,7 @@ sql_functions! {
     fn ab_points_serial(args) {
         let mut state = state(args, 0)?;
         let numbers = state.get().iter().flat_map(Point::to_numbers);
-        Ok(Ret::Bytes(numbers.flat_map(f64::to_ne_bytes).collect()))
+        Ok(SqlValue::Bytes(numbers.flat_map(f64::to_ne_bytes).collect()))
     }
 
     fn ab_points_deserial(args) {

@@ -3,7 +3,7 @@
 use asbuilt_core::Result;
 use asbuilt_core::evidence::{Pool, Rule};
 
-use crate::pg::{AggState, Args, Ret, aggregate_state, deserialised_state, sql_functions};
+use crate::pg::{AggState, Args, SqlValue, aggregate_state, deserialised_state, sql_functions};
 use crate::types::{mass_arg, mass_ret};
 
 fn state(args: &Args, i: usize, rule: Rule) -> Result<AggState<Pool>> {
@@ -23,7 +23,7 @@ sql_functions! {
     /// transition(state, mass, rule[, reliability]): a NULL among them adds nothing.
     fn ab_combine_accum_by(args) {
         if (1..args.len()).any(|i| args.is_null(i)) {
-            return Ok(if args.is_null(0) { Ret::Null } else { state(args, 0, Rule::Dempster)?.ret() });
+            return Ok(if args.is_null(0) { SqlValue::Null } else { state(args, 0, Rule::Dempster)?.ret() });
         }
         let rule = Rule::parse(&args.text(2))?;
         let mut state = state(args, 0, rule)?;
@@ -40,7 +40,7 @@ sql_functions! {
 
     fn ab_combine_merge(args) {
         if args.is_null(1) {
-            return Ok(if args.is_null(0) { Ret::Null } else { state(args, 0, Rule::Dempster)?.ret() });
+            return Ok(if args.is_null(0) { SqlValue::Null } else { state(args, 0, Rule::Dempster)?.ret() });
         }
         let right = *state(args, 1, Rule::Dempster)?.get();
         let mut left = state(args, 0, right.rule())?;
@@ -48,17 +48,17 @@ sql_functions! {
         Ok(left.ret())
     }
 
-    fn ab_combine_serial(args) { Ok(Ret::Bytes(state(args, 0, Rule::Dempster)?.get().to_bytes())) }
+    fn ab_combine_serial(args) { Ok(SqlValue::Bytes(state(args, 0, Rule::Dempster)?.get().to_bytes())) }
 
     fn ab_combine_deserial(args) { Ok(deserialised_state(Pool::from_bytes(args.bytes(0))?).ret()) }
 
     fn ab_combine_final(args) {
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         match state(args, 0, Rule::Dempster)?.get().mass()? {
             Some(m) => mass_ret(&m),
-            None => Ok(Ret::Null),
+            None => Ok(SqlValue::Null),
         }
     }
 }

@@ -2,13 +2,13 @@
 
 use asbuilt_core::Result;
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Gathered, Return};
+use asbuilt_core::scan::{PatchBuilder, Return};
 
-use crate::pg::{AggState, Args, Backend, Ret, aggregate_state, deserialised_state, sql_functions};
+use crate::pg::{AggState, Args, Backend, SqlValue, aggregate_state, deserialised_state, sql_functions};
 use crate::types::planes::{one_colour, one_intensity};
 
-fn state(args: &Args, i: usize) -> Result<AggState<Gathered>> {
-    aggregate_state(args, i, || Ok(Gathered::default()))
+fn state(args: &Args, i: usize) -> Result<AggState<PatchBuilder>> {
+    aggregate_state(args, i, || Ok(PatchBuilder::default()))
 }
 
 /// The row (x, y, z, [origin,] [station [, intensity [, colour]]]) behind the state, and its station.
@@ -25,7 +25,7 @@ fn row(args: &Args, with_origin: bool) -> Result<(i64, Return)> {
 }
 
 /// A row with a NULL adds nothing.
-fn accumulate(args: &Args, with_origin: bool) -> Result<Ret> {
+fn accumulate(args: &Args, with_origin: bool) -> Result<SqlValue> {
     let mut state = state(args, 0)?;
     if !(1..args.len()).any(|i| args.is_null(i)) {
         let (station, row) = row(args, with_origin)?;
@@ -47,15 +47,15 @@ sql_functions! {
         Ok(left.ret())
     }
 
-    fn ab_scan_serial(args) { Ok(Ret::Bytes(state(args, 0)?.get().to_bytes(&Backend)?)) }
+    fn ab_scan_serial(args) { Ok(SqlValue::Bytes(state(args, 0)?.get().to_bytes(&Backend)?)) }
 
-    fn ab_scan_deserial(args) { Ok(deserialised_state(Gathered::from_bytes(args.bytes(0), &Backend)?).ret()) }
+    fn ab_scan_deserial(args) { Ok(deserialised_state(PatchBuilder::from_bytes(args.bytes(0), &Backend)?).ret()) }
 
     fn ab_scan_final(args) {
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let patches = state(args, 0)?.get().patches(&Backend)?;
-        Ok(Ret::VarlenaArray(patches.iter().map(|p| p.to_bytes()).collect()))
+        Ok(SqlValue::VarlenaArray(patches.iter().map(|p| p.to_bytes()).collect()))
     }
 }

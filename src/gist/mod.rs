@@ -6,7 +6,7 @@ use asbuilt_core::scan::Header;
 use asbuilt_core::uncertain::{Line, Point, Stored};
 use asbuilt_core::voxel::TileHeader;
 
-use crate::pg::{Args, KeyVector, PickSplit, Place, Ret, sorted_by, sql_functions};
+use crate::pg::{Args, KeyVector, PickSplit, Place, SqlValue, sorted_by, sql_functions};
 use crate::types::overlap::{INDEX_SIGMAS, near_solid, of_box, of_point, of_scan, of_solid, of_tile, place, tile_box};
 use crate::types::{BOX_LEN, box_bytes, box_from};
 
@@ -41,13 +41,13 @@ fn query(args: &Args, strategy: i16) -> asbuilt_core::Result<Aabb> {
     }
 }
 
-fn nearest(args: &Args, recheck: bool) -> asbuilt_core::Result<Ret> {
+fn nearest(args: &Args, recheck: bool) -> asbuilt_core::Result<SqlValue> {
     args.set_flag(4, recheck);
     let query = match args.i16(2) {
         DISTANCE_TO_POINT => place(args, 1)?,
         _ => of_box(args, 1)?,
     };
-    Ok(Ret::F64(key(args, 0).distance(&query)))
+    Ok(SqlValue::F64(key(args, 0).distance(&query)))
 }
 
 /// Keys of a sorted build lie along a Hilbert curve.
@@ -67,7 +67,7 @@ sql_functions! {
         let strategy = args.i16(2);
         args.set_flag(4, strategy >= CONTAINS);
         let (key, query) = (key(args, 0), query(args, strategy)?);
-        Ok(Ret::Bool(match strategy {
+        Ok(SqlValue::Bool(match strategy {
             CONTAINS | SAME => key.contains(&query),
             _ => key.overlaps(&query),
         }))
@@ -86,7 +86,7 @@ sql_functions! {
         let keys = KeyVector::arg(args, 0);
         let union = (0..keys.len()).fold(Aabb::EMPTY, |u, i| u.union(&box_from(&keys.key(i))));
         args.set_size(1, BOX_LEN);
-        Ok(Ret::Fixed(box_bytes(&union)))
+        Ok(SqlValue::Fixed(box_bytes(&union)))
     }
 
     fn ab_gist_scan_compress(args) {
@@ -112,7 +112,7 @@ sql_functions! {
     /// penalty(key entry, new entry, result)
     fn ab_gist_penalty(args) {
         args.set_f32(2, penalty(&key(args, 0), &key(args, 1)));
-        Ok(Ret::Raw(args.pointer(2)))
+        Ok(SqlValue::Raw(args.pointer(2)))
     }
 
     /// picksplit(vector, result); entries count from 1.
@@ -126,12 +126,12 @@ sql_functions! {
         };
         let (l, r) = (side(&left), side(&right));
         PickSplit::arg(args, 1).set((&l.0, &l.1), (&r.0, &r.1));
-        Ok(Ret::Raw(args.pointer(1)))
+        Ok(SqlValue::Raw(args.pointer(1)))
     }
 
     /// same(key, key, result)
     fn ab_gist_same(args) {
         args.set_flag(2, args.fixed::<BOX_LEN>(0) == args.fixed::<BOX_LEN>(1));
-        Ok(Ret::Raw(args.pointer(2)))
+        Ok(SqlValue::Raw(args.pointer(2)))
     }
 }

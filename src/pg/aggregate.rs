@@ -4,7 +4,7 @@ use asbuilt_core::{Error, Result};
 use pgrx::{PgMemoryContexts, pg_sys};
 
 use super::memory::Account;
-use super::{Args, Ret};
+use super::{Args, SqlValue};
 
 /// A state that lives in the aggregate's memory context and is dropped with it.
 #[derive(Debug)]
@@ -42,8 +42,8 @@ impl<T> AggState<T> {
     }
 
     /// Hands the state back to the executor.
-    pub fn ret(&self) -> Ret {
-        Ret::Raw(self.pointer.into())
+    pub fn ret(&self) -> SqlValue {
+        SqlValue::Raw(self.pointer.into())
     }
 }
 

@@ -5,7 +5,7 @@ use pgrx::pg_sys::ffi::pg_guard_ffi_boundary;
 use pgrx::pg_sys::submodules::panic::pgrx_extern_c_guard;
 
 use super::scratch::scratch_context;
-use super::{Args, Ret, own_type_name};
+use super::{Args, SqlValue, own_type_name};
 
 /// Kind of our statistics in `pg_statistic`; numbers from 10000 on are for private use.
 pub const BOX_STATISTICS: i16 = 11_820;
@@ -25,11 +25,11 @@ struct Plan {
 
 /// typanalyze(internal): has the column in argument 0 analysed as usual, and then by `S`; its statistics target decides
 /// how many rows are sampled.
-pub fn analysed_by<S: Statistics>(args: &Args) -> Ret {
+pub fn analysed_by<S: Statistics>(args: &Args) -> SqlValue {
     unsafe {
         let column: *mut pg_sys::VacAttrStats = args.datum(0).cast_mut_ptr();
         if !pg_sys::std_typanalyze(column) {
-            return Ret::Bool(false);
+            return SqlValue::Bool(false);
         }
         if let Some(type_name) = own_type_name(args, (*column).attrtypid) {
             let plan = Plan { type_name, standard: (*column).compute_stats, standard_data: (*column).extra_data };
@@ -37,7 +37,7 @@ pub fn analysed_by<S: Statistics>(args: &Args) -> Ret {
             (*column).extra_data = { context }.leak_and_drop_on_delete(plan).cast();
             (*column).compute_stats = Some(compute::<S>);
         }
-        Ret::Bool(true)
+        SqlValue::Bool(true)
     }
 }
 

@@ -8,7 +8,7 @@ use asbuilt_core::evidence::Loa;
 use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 
-use super::{Ret, array, toast};
+use super::{SqlValue, array, toast};
 
 /// The arguments of one call. Borrowed values live as long as the call.
 #[derive(Debug)]
@@ -128,8 +128,8 @@ impl Args {
 
     /// A variable-length value handed on: to send, or to return an argument as it came. Always a copy: PostgreSQL's
     /// `array_send` frees what a send function returns, even if it is an element of the array.
-    pub fn copied(&self, i: usize) -> Ret {
-        Ret::Raw(unsafe { toast::copy_of(self.varlena(i)) }.into())
+    pub fn copied(&self, i: usize) -> SqlValue {
+        SqlValue::Raw(unsafe { toast::copy_of(self.varlena(i)) }.into())
     }
 
     /// At least the first `len` bytes (or all there are), without fetching the rest where that can be avoided.

@@ -105,7 +105,7 @@ pub unsafe fn of_varlenas(fcinfo: pg_sys::FunctionCallInfo, elements: &[Vec<u8>]
         unsafe { (*fcinfo).isnull = true };
         return pg_sys::Datum::from(0usize);
     }
-    let mut datums: Vec<_> = elements.iter().map(|e| super::ret::varlena(e)).collect();
+    let mut datums: Vec<_> = elements.iter().map(|e| super::sql_value::varlena(e)).collect();
     unsafe {
         let element = pg_sys::get_element_type(pg_sys::get_fn_expr_rettype((*fcinfo).flinfo));
         assert!(element != pg_sys::InvalidOid, "the function returns no array");

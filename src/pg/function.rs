@@ -5,7 +5,7 @@ use pgrx::pg_sys;
 use pgrx::pg_sys::submodules::panic::pgrx_extern_c_guard;
 
 use super::memory::Account;
-use super::{Args, Ret, allocator};
+use super::{Args, SqlValue, allocator};
 
 /// Runs the body of an SQL function, on an account of memory where one is named.
 ///
@@ -15,7 +15,7 @@ pub unsafe fn run(
     fcinfo: pg_sys::FunctionCallInfo,
     name: &'static str,
     account: Option<Account>,
-    body: impl FnOnce(&Args) -> Result<Ret>,
+    body: impl FnOnce(&Args) -> Result<SqlValue>,
 ) -> pg_sys::Datum {
     unsafe {
         pgrx_extern_c_guard(move || {
@@ -30,7 +30,7 @@ pub unsafe fn run(
             }
             match outcome {
                 Ok(ret) => {
-                    if let (Some(account), Ret::Bytes(bytes)) = (account, &ret) {
+                    if let (Some(account), SqlValue::Bytes(bytes)) = (account, &ret) {
                         account.hand_over(bytes.len());
                     }
                     ret.into_datum(fcinfo)
@@ -47,7 +47,7 @@ pub fn raise(error: &Error, name: &'static str) -> ! {
     unreachable!("an ERROR report does not return")
 }
 
-/// Declares SQL-callable functions: `fn name(args) { body }`, the body an expression of `Result<Ret, Error>`. Functions
+/// Declares SQL-callable functions: `fn name(args) { body }`, the body an expression of `Result<SqlValue, Error>`. Functions
 /// after `on Account::…;` take their memory on that account.
 macro_rules! sql_functions {
     (on $account:expr; $($rest:tt)*) => { $crate::pg::sql_functions! { @ Some($account); $($rest)* } };

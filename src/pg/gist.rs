@@ -3,7 +3,7 @@
 use asbuilt_core::Result;
 use pgrx::pg_sys;
 
-use super::{Args, Ret};
+use super::{Args, SqlValue};
 
 /// Keys of 48 bytes (a box) that `union` and `picksplit` get.
 #[derive(Debug)]
@@ -58,27 +58,27 @@ impl Args {
 
     /// `compress`: the entry in argument 0, its value replaced by `key(prefix of the value)` if it is a leaf's; inner
     /// entries stay as they are.
-    pub fn compressed(&self, prefix: usize, key: impl FnOnce(&[u8]) -> Result<Vec<u8>>) -> Result<Ret> {
+    pub fn compressed(&self, prefix: usize, key: impl FnOnce(&[u8]) -> Result<Vec<u8>>) -> Result<SqlValue> {
         unsafe { self.compressed_by(|value| key(super::toast::prefix(value.cast_mut_ptr(), prefix))) }
     }
 
     /// The same for a value of `N` float8.
-    pub fn compressed_fixed<const N: usize>(&self, key: impl FnOnce(&[f64; N]) -> Vec<u8>) -> Result<Ret> {
+    pub fn compressed_fixed<const N: usize>(&self, key: impl FnOnce(&[f64; N]) -> Vec<u8>) -> Result<SqlValue> {
         unsafe { self.compressed_by(|value| Ok(key(&value.cast_mut_ptr::<[f64; N]>().read_unaligned()))) }
     }
 
-    unsafe fn compressed_by(&self, key: impl FnOnce(pg_sys::Datum) -> Result<Vec<u8>>) -> Result<Ret> {
+    unsafe fn compressed_by(&self, key: impl FnOnce(pg_sys::Datum) -> Result<Vec<u8>>) -> Result<SqlValue> {
         unsafe {
             let entry: *mut pg_sys::GISTENTRY = self.datum(0).cast_mut_ptr();
             if !(*entry).leafkey {
-                return Ok(Ret::Raw(entry.into()));
+                return Ok(SqlValue::Raw(entry.into()));
             }
             let key = key((*entry).key)?;
             let copy: *mut pg_sys::GISTENTRY = pg_sys::palloc(size_of::<pg_sys::GISTENTRY>()).cast();
             *copy = *entry;
-            (*copy).key = super::ret::fixed(&key);
+            (*copy).key = super::sql_value::fixed(&key);
             (*copy).leafkey = false;
-            Ok(Ret::Raw(copy.into()))
+            Ok(SqlValue::Raw(copy.into()))
         }
     }
 }
@@ -104,10 +104,10 @@ impl PickSplit {
             let v = &mut *self.0;
             v.spl_left = copy(left.0);
             v.spl_nleft = left.0.len() as i32;
-            v.spl_ldatum = super::ret::fixed(left.1);
+            v.spl_ldatum = super::sql_value::fixed(left.1);
             v.spl_right = copy(right.0);
             v.spl_nright = right.0.len() as i32;
-            v.spl_rdatum = super::ret::fixed(right.1);
+            v.spl_rdatum = super::sql_value::fixed(right.1);
         }
     }
 }

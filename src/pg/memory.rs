@@ -128,7 +128,7 @@ fn beyond(account: Account, needed: usize, limit: usize, at_ceiling: bool) -> Er
 #[derive(Debug, Clone, Copy)]
 pub struct Backend;
 
-/// The same on the threads of [`super::Crew`].
+/// The same on the threads of [`super::WorkerPool`].
 #[derive(Debug, Clone, Copy)]
 pub struct Helper;
 

@@ -1,7 +1,7 @@
 //! The only place with `unsafe`: PostgreSQL's calling convention, memory, arrays, rows, queries, interrupts, threads,
 //! the allocator, the planner's questions.
 //!
-//! Everything outside sees safe types: [`Args`] to read arguments, [`Ret`] to return, [`Rows`] to return many.
+//! Everything outside sees safe types: [`Args`] to read arguments, [`SqlValue`] to return, [`Rows`] to return many.
 
 mod aggregate;
 mod allocator;
@@ -14,14 +14,14 @@ mod interrupt;
 mod load;
 mod memory;
 mod query;
-mod ret;
 mod rows;
 mod scratch;
 mod selectivity;
 mod sort;
-mod threads;
+mod sql_value;
 mod toast;
 mod type_name;
+mod worker_pool;
 
 pub use aggregate::{AggState, aggregate_state, deserialised_state};
 pub use analyze::{Statistics, analysed_by};
@@ -32,9 +32,9 @@ pub use gist::{KeyVector, PickSplit};
 pub use load::{capture_no_backtraces, reserve_settings};
 pub use memory::{Account, Backend, memory_in_use};
 pub use query::{Cell, Column, Query, for_each_batch};
-pub use ret::Ret;
 pub use rows::{Field, Rows};
 pub use selectivity::{Known, Other, Restriction, join, restriction};
 pub use sort::{Place, sorted_by};
-pub use threads::Crew;
+pub use sql_value::SqlValue;
 pub use type_name::own_type_name;
+pub use worker_pool::WorkerPool;

@@ -4,8 +4,8 @@ use asbuilt_core::evidence::Loa;
 use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 
-use super::ret::{fixed, varlena};
 use super::scratch::scratch_context;
+use super::sql_value::{fixed, varlena};
 use super::{Args, array};
 
 /// One column of a returned row.

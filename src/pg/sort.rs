@@ -3,7 +3,7 @@
 use pgrx::pg_sys;
 use pgrx::pg_sys::submodules::panic::pgrx_extern_c_guard;
 
-use super::{Args, Ret};
+use super::{Args, SqlValue};
 
 // By its own address PostgreSQL knows it and sorts without calling it; pgrx has a wrapper only.
 unsafe extern "C-unwind" {
@@ -17,7 +17,7 @@ pub trait Place<const N: usize> {
 }
 
 /// sortsupport(internal): keys are compared by these numbers, which are kept beside them where the sort allows.
-pub fn sorted_by<P: Place<N>, const N: usize>(args: &Args) -> Ret {
+pub fn sorted_by<P: Place<N>, const N: usize>(args: &Args) -> SqlValue {
     unsafe {
         let support = &mut *args.datum(0).cast_mut_ptr::<pg_sys::SortSupportData>();
         support.comparator = Some(compare::<P, N>);
@@ -27,7 +27,7 @@ pub fn sorted_by<P: Place<N>, const N: usize>(args: &Args) -> Ret {
             support.abbrev_abort = Some(never);
             support.abbrev_full_comparator = Some(compare::<P, N>);
         }
-        Ret::Raw(pg_sys::Datum::from(0usize))
+        SqlValue::Raw(pg_sys::Datum::from(0usize))
     }
 }
 

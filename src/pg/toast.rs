@@ -3,7 +3,7 @@
 use pgrx::pg_sys;
 
 use super::interrupt::serve;
-use super::ret::{copy, new_varlena};
+use super::sql_value::{copy, new_varlena};
 
 /// Values of this size and more are fetched in pieces: PostgreSQL serves no interrupt while it fetches one.
 const PIECE: usize = 1 << 24;

@@ -5,7 +5,7 @@ use asbuilt_core::Result;
 use asbuilt_core::geometry::{Aabb, BoxStatistics, Relation};
 use asbuilt_core::scan::JOIN_MARGIN_M;
 
-use crate::pg::{Args, Known, Other, Restriction, Ret, Statistics, analysed_by, join, restriction, sql_functions};
+use crate::pg::{Args, Known, Other, Restriction, SqlValue, Statistics, analysed_by, join, restriction, sql_functions};
 use crate::types::overlap::{of_box, of_line, of_point, of_scan, of_solid, of_tile};
 
 /// Where nothing is known of a table, because it was never analysed. Small enough that an index is used.
@@ -53,9 +53,9 @@ fn mirrored(relation: Relation) -> Relation {
     }
 }
 
-fn share_of_rows(args: &Args, relation: Relation) -> Result<Ret> {
+fn share_of_rows(args: &Args, relation: Relation) -> Result<SqlValue> {
     let share = restriction(args).map_or(UNKNOWN, |r| restricted(&r, relation).unwrap_or(UNKNOWN));
-    Ok(Ret::F64(share))
+    Ok(SqlValue::F64(share))
 }
 
 fn restricted(r: &Restriction, relation: Relation) -> Option<f64> {
@@ -77,7 +77,7 @@ fn restricted(r: &Restriction, relation: Relation) -> Option<f64> {
     Some(share * r.column.present)
 }
 
-fn share_of_pairs(args: &Args, relation: Relation) -> Result<Ret> {
+fn share_of_pairs(args: &Args, relation: Relation) -> Result<SqlValue> {
     let j = join(args);
     let known = statistics(&j.left).zip(statistics(&j.right)).map(|(left, right)| {
         let margin = margin(j.left.type_name.as_deref(), j.right.type_name.as_deref());
@@ -85,7 +85,7 @@ fn share_of_pairs(args: &Args, relation: Relation) -> Result<Ret> {
     });
     let pairs = known.unwrap_or(UNKNOWN);
     // A semi join asks how many outer rows have a partner at all.
-    Ok(Ret::F64(j.inner_rows.map_or(pairs, |rows| (pairs * rows).min(1.0))))
+    Ok(SqlValue::F64(j.inner_rows.map_or(pairs, |rows| (pairs * rows).min(1.0))))
 }
 
 sql_functions! {

@@ -3,7 +3,7 @@
 use asbuilt_core::geometry::Aabb;
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, SqlValue, sql_functions};
 
 /// Bytes of an `ab_box`.
 pub const BOX_LEN: usize = 48;
@@ -37,34 +37,34 @@ fn received(bytes: &[u8]) -> Result<Aabb> {
 
 sql_functions! {
     fn ab_box_in(args) {
-        Ok(Ret::Fixed(box_bytes(&Aabb::from_text(&args.cstring(0))?)))
+        Ok(SqlValue::Fixed(box_bytes(&Aabb::from_text(&args.cstring(0))?)))
     }
 
     fn ab_box_out(args) {
-        Ok(Ret::CString(arg(args, 0).to_text()))
+        Ok(SqlValue::CString(arg(args, 0).to_text()))
     }
 
     fn ab_box_recv(args) {
-        Ok(Ret::Fixed(box_bytes(&received(args.message(0))?)))
+        Ok(SqlValue::Fixed(box_bytes(&received(args.message(0))?)))
     }
 
     fn ab_box_send(args) {
         let b = arg(args, 0);
-        Ok(Ret::Bytes(b.min.iter().chain(&b.max).flat_map(|c| c.to_be_bytes()).collect()))
+        Ok(SqlValue::Bytes(b.min.iter().chain(&b.max).flat_map(|c| c.to_be_bytes()).collect()))
     }
 
     /// ab_box(xmin, ymin, zmin, xmax, ymax, zmax): corners in any order.
     fn ab_box_make(args) {
         let corner = |k: usize| [0, 1, 2].map(|i| args.f64(k + i));
-        Ok(Ret::Fixed(box_bytes(&Aabb::new(corner(0), corner(3))?)))
+        Ok(SqlValue::Fixed(box_bytes(&Aabb::new(corner(0), corner(3))?)))
     }
 
     fn ab_box_min(args) {
-        Ok(Ret::vector(arg(args, 0).min))
+        Ok(SqlValue::vector(arg(args, 0).min))
     }
 
     fn ab_box_max(args) {
-        Ok(Ret::vector(arg(args, 0).max))
+        Ok(SqlValue::vector(arg(args, 0).max))
     }
 
     fn ab_box_expand(args) {
@@ -76,14 +76,14 @@ sql_functions! {
         if (0..3).any(|i| grown.min[i] > grown.max[i]) {
             return Err(Error::argument("the margin", "no more negative than half the box's shortest side", margin));
         }
-        Ok(Ret::Fixed(box_bytes(&Aabb::new(grown.min, grown.max)?)))
+        Ok(SqlValue::Fixed(box_bytes(&Aabb::new(grown.min, grown.max)?)))
     }
 
     fn ab_box_volume(args) {
-        Ok(Ret::F64(arg(args, 0).volume()))
+        Ok(SqlValue::F64(arg(args, 0).volume()))
     }
 
     fn ab_box_equal(args) {
-        Ok(Ret::Bool(arg(args, 0) == arg(args, 1)))
+        Ok(SqlValue::Bool(arg(args, 0) == arg(args, 1)))
     }
 }

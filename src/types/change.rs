@@ -8,7 +8,7 @@ use super::hex::{hex_in, hex_out};
 use super::occupancy::{cover, occupancy_arg, words};
 use super::rollup::rolled_up;
 use super::{box_bytes, box_from};
-use crate::pg::{Account, Args, Backend, Field, Ret, Rows, sql_functions};
+use crate::pg::{Account, Args, Backend, Field, Rows, SqlValue, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_change:1:";
@@ -21,8 +21,8 @@ fn arg(args: &Args, i: usize) -> Result<Change> {
     read(args.bytes(i))
 }
 
-fn ret(change: &Change) -> Result<Ret> {
-    Ok(Ret::Bytes(change.to_bytes(&Backend)?))
+fn ret(change: &Change) -> Result<SqlValue> {
+    Ok(SqlValue::Bytes(change.to_bytes(&Backend)?))
 }
 
 sql_functions! {
@@ -43,7 +43,7 @@ sql_functions! {
     /// ab_change(old, new, threshold, tolerance)
     fn ab_change_between(args) {
         if (0..3).any(|i| args.is_null(i)) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let threshold = Settings::threshold(args.i32(2))?;
         let (old, new) = (occupancy_arg(args, 0)?, occupancy_arg(args, 1)?);
@@ -64,7 +64,7 @@ sql_functions! {
     /// ab_summary(change, solid, margin)
     fn ab_change_summary(args) {
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let change = arg(args, 0)?;
         let voxel = change.grid().voxel;
@@ -79,14 +79,14 @@ sql_functions! {
         let share = |n: u64| if total == 0 { Field::Null } else { Field::F64(n as f64 / total as f64) };
         let counts = voxels.iter().map(|&n| Field::I64(n as i64));
         let volumes = voxels.iter().map(|&n| Field::F64(n as f64 * volume));
-        Ok(Ret::Row(counts.chain(volumes).chain(tally.voxels.into_iter().map(share)).collect()))
+        Ok(SqlValue::Row(counts.chain(volumes).chain(tally.voxels.into_iter().map(share)).collect()))
     }
 
     /// ab_voxels(change, classes)
     fn ab_change_voxels(args) {
         let mut rows = Rows::new(args)?;
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let classes: Vec<Class> = match args.is_null(1) {
             true => Class::ALL.to_vec(),
@@ -99,14 +99,14 @@ sql_functions! {
                 rows.push(&[x, y, z, Field::Text(change.class_name(class).into())]);
             }
         })?;
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 
     /// ab_components(change, class, min_voxels, gap)
     fn ab_change_components(args) {
         let mut rows = Rows::new(args)?;
         if args.is_null(0) || args.is_null(2) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let classes = match args.is_null(1) {
             true => vec![Class::New, Class::Disappeared],
@@ -131,6 +131,6 @@ sql_functions! {
                 Field::Vector(c.centroid.into()),
             ]);
         }
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 }

@@ -7,7 +7,7 @@ use super::box_bytes;
 use super::evidence_model::Given;
 use super::hex::{hex_in, hex_out};
 use super::rollup::rolled_up;
-use crate::pg::{Account, Args, Backend, Ret, sql_functions};
+use crate::pg::{Account, Args, Backend, SqlValue, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_evidence:1:";
@@ -22,7 +22,7 @@ sql_functions! {
 
     fn ab_evidence_in(args) {
         let bytes = hex_in(args, "ab_evidence", PREFIX)?;
-        Ok(Ret::Bytes(Evidence::from_bytes(&bytes, &Backend)?.to_bytes(&Backend)?))
+        Ok(SqlValue::Bytes(Evidence::from_bytes(&bytes, &Backend)?.to_bytes(&Backend)?))
     }
 
     fn ab_evidence_out(args) {
@@ -30,7 +30,7 @@ sql_functions! {
     }
 
     fn ab_evidence_recv(args) {
-        Ok(Ret::Bytes(Evidence::from_bytes(args.message(0), &Backend)?.to_bytes(&Backend)?))
+        Ok(SqlValue::Bytes(Evidence::from_bytes(args.message(0), &Backend)?.to_bytes(&Backend)?))
     }
 
     fn ab_evidence_send(args) {
@@ -42,20 +42,20 @@ sql_functions! {
         rolled_up(args, || {
             let mut e = Evidence::from_bytes(args.bytes(0), &Backend)?;
             e.merge(&Evidence::from_bytes(args.bytes(1), &Backend)?, &Backend)?;
-            Ok(Ret::Bytes(e.to_bytes(&Backend)?))
+            Ok(SqlValue::Bytes(e.to_bytes(&Backend)?))
         })
     }
 
     fn ab_evidence_box(args) {
-        Ok(Ret::Fixed(box_bytes(&header(args)?.bounds)))
+        Ok(SqlValue::Fixed(box_bytes(&header(args)?.bounds)))
     }
 
     fn ab_evidence_count(args) {
-        Ok(Ret::I32(header(args)?.samples as i32))
+        Ok(SqlValue::I32(header(args)?.samples as i32))
     }
 
     fn ab_evidence_station_count(args) {
-        Ok(Ret::I32(header(args)?.stations as i32))
+        Ok(SqlValue::I32(header(args)?.stations as i32))
     }
 
     /// ab_model(evidence): all parameters count as given.

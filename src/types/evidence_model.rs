@@ -6,7 +6,7 @@ use asbuilt_core::evidence::SensorPreset;
 use asbuilt_core::num::words::Words;
 use asbuilt_core::verify::{EvidenceModel, IntensityNoise, ModelKind};
 
-use crate::pg::{Args, Field, Ret, Rows, sql_functions};
+use crate::pg::{Args, Field, Rows, SqlValue, sql_functions};
 
 const WORDS: Words = Words { ty: "ab_evidence_model", letter: b'M' };
 
@@ -71,8 +71,8 @@ impl Given {
     }
 
     /// As SQL has it.
-    pub fn ret(&self) -> Result<Ret> {
-        Ok(Ret::Bytes(WORDS.encode(&self.to_text())?))
+    pub fn ret(&self) -> Result<SqlValue> {
+        Ok(SqlValue::Bytes(WORDS.encode(&self.to_text())?))
     }
 }
 
@@ -94,7 +94,7 @@ pub fn parse(bytes: &[u8]) -> Result<EvidenceModel> {
 sql_functions! {
     fn ab_model_in(args) { Given::from_text(&args.cstring(0))?.ret() }
 
-    fn ab_model_out(args) { Ok(Ret::CString(given_arg(args, 0)?.to_text())) }
+    fn ab_model_out(args) { Ok(SqlValue::CString(given_arg(args, 0)?.to_text())) }
 
     fn ab_model_recv(args) { WORDS.decode(args.message(0), Given::from_text)?.ret() }
 
@@ -114,7 +114,7 @@ sql_functions! {
             row.push(Field::Text(p.description.into()));
             rows.push(&row);
         }
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 
     /// ab_with_sensor(model, name)

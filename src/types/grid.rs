@@ -8,19 +8,19 @@ use asbuilt_core::voxel::Grid;
 use asbuilt_core::{Budget, Error, Result};
 
 use super::{box_bytes, box_from};
-use crate::pg::{Args, Backend, Field, Ret, Rows, sql_functions};
+use crate::pg::{Args, Backend, Field, Rows, SqlValue, sql_functions};
 
 /// Most tiles that `ab_tiles` returns.
-const MOST_TILES: f64 = 1e7;
+const MAX_TILES: f64 = 1e7;
 
 const WORDS: Words = Words { ty: "ab_grid", letter: b'G' };
 
 /// The stored form. Zero has no sign: equal grids are equal bytes.
-pub fn grid_ret(grid: &Grid) -> Result<Ret> {
+pub fn grid_ret(grid: &Grid) -> Result<SqlValue> {
     let tile = Aabb { min: grid.tile.min.map(|c| c + 0.0), max: grid.tile.max.map(|c| c + 0.0) };
     let (margin, no_return_range) = (grid.margin + 0.0, grid.no_return_range + 0.0);
     let text = Grid { tile, margin, no_return_range, ..*grid }.to_text();
-    Ok(Ret::Bytes(WORDS.encode(&text)?))
+    Ok(SqlValue::Bytes(WORDS.encode(&text)?))
 }
 
 /// The grid in argument `i`.
@@ -42,7 +42,7 @@ fn numbers(area: &Aabb, axis: usize, size: f64) -> [f64; 2] {
 sql_functions! {
     fn ab_grid_in(args) { grid_ret(&Grid::from_text(&args.cstring(0))?) }
 
-    fn ab_grid_out(args) { Ok(Ret::CString(grid_arg(args, 0)?.to_text())) }
+    fn ab_grid_out(args) { Ok(SqlValue::CString(grid_arg(args, 0)?.to_text())) }
 
     fn ab_grid_recv(args) { grid_ret(&WORDS.decode(args.message(0), Grid::from_text)?) }
 
@@ -51,7 +51,7 @@ sql_functions! {
     /// ab_grid(voxel, tile, margin, no_return_range, exact)
     fn ab_grid_make(args) {
         if [0, 2, 3, 4].iter().any(|&i| args.is_null(i)) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let range = args.f64(3);
         let range = if range == f64::INFINITY { NO_RETURN_REACH_M } else { range };
@@ -67,8 +67,8 @@ sql_functions! {
         }
         let [x, y, z] = [0, 1, 2].map(|axis| numbers(&area, axis, size));
         let count = [x, y, z].map(|[first, end]| end - first).iter().product::<f64>();
-        if count.is_nan() || count > MOST_TILES {
-            let limit = format!("{MOST_TILES:e}");
+        if count.is_nan() || count > MAX_TILES {
+            let limit = format!("{MAX_TILES:e}");
             return Err(Error::Limit { what: Limited::Tiles, value: format!("{count:e}"), limit });
         }
         let along = |[first, end]: [f64; 2]| (0..(end - first) as i64).map(move |i| first + i as f64);
@@ -81,6 +81,6 @@ sql_functions! {
                 rows.push(&[Field::Fixed(box_bytes(&Aabb::new(low, high)?))]);
             }
         }
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 }

@@ -4,7 +4,7 @@ use asbuilt_core::error::Limited;
 use asbuilt_core::num::text::{from_hex, to_hex};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Args, Backend, Ret};
+use crate::pg::{Args, Backend, SqlValue};
 
 /// Longest text PostgreSQL can hold, with its terminator.
 const MAX_TEXT: usize = (1 << 30) - 2;
@@ -15,7 +15,7 @@ pub fn hex_in(args: &Args, ty: &'static str, prefix: &str) -> Result<Vec<u8>> {
 }
 
 /// The text of the value in argument 0.
-pub fn hex_out(args: &Args, prefix: &str) -> Result<Ret> {
+pub fn hex_out(args: &Args, prefix: &str) -> Result<SqlValue> {
     let bytes = args.bytes(0);
     let length = prefix.len() + 2 * bytes.len();
     if length > MAX_TEXT {
@@ -23,5 +23,5 @@ pub fn hex_out(args: &Args, prefix: &str) -> Result<Ret> {
             (format!("{length} characters"), format!("{MAX_TEXT}; COPY ... (FORMAT binary) takes more"));
         return Err(Error::Limit { what: Limited::TextForm, value, limit });
     }
-    Ok(Ret::CString(to_hex(prefix, bytes, &Backend)?))
+    Ok(SqlValue::CString(to_hex(prefix, bytes, &Backend)?))
 }

@@ -2,7 +2,7 @@
 
 use asbuilt_core::evidence::Loa;
 
-use crate::pg::{Field, Ret, Rows, sql_functions};
+use crate::pg::{Field, Rows, SqlValue, sql_functions};
 
 sql_functions! {
     fn ab_loa_class(args) {
@@ -16,11 +16,11 @@ sql_functions! {
                 Field::Text("USIBD Level of Accuracy Specification Guide, version 2.0 (2016), 95 %".into()),
             ]);
         }
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 
     /// ab_upper_bound(loa)
     fn ab_tolerance(args) {
-        Ok(Ret::F64(args.loa(0)?.upper()))
+        Ok(SqlValue::F64(args.loa(0)?.upper()))
     }
 }

@@ -3,7 +3,7 @@
 use asbuilt_core::evidence::{Hypothesis, Mass};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, SqlValue, sql_functions};
 
 /// The stored form.
 pub fn mass_bytes(m: &Mass) -> Vec<u8> {
@@ -17,8 +17,8 @@ pub fn mass_arg(args: &Args, i: usize) -> Mass {
 }
 
 /// Returns a mass.
-pub fn mass_ret(m: &Mass) -> Result<Ret> {
-    Ok(Ret::Fixed(mass_bytes(m)))
+pub fn mass_ret(m: &Mass) -> Result<SqlValue> {
+    Ok(SqlValue::Fixed(mass_bytes(m)))
 }
 
 fn received(bytes: &[u8]) -> Result<Mass> {
@@ -30,24 +30,24 @@ fn received(bytes: &[u8]) -> Result<Mass> {
 sql_functions! {
     fn ab_mass_in(args) { mass_ret(&Mass::from_text(&args.cstring(0))?) }
 
-    fn ab_mass_out(args) { Ok(Ret::CString(mass_arg(args, 0).to_text())) }
+    fn ab_mass_out(args) { Ok(SqlValue::CString(mass_arg(args, 0).to_text())) }
 
     fn ab_mass_recv(args) { mass_ret(&received(args.message(0))?) }
 
     fn ab_mass_send(args) {
         let m = mass_arg(args, 0);
-        Ok(Ret::Bytes([m.occupied, m.empty, m.unknown].iter().flat_map(|c| c.to_be_bytes()).collect()))
+        Ok(SqlValue::Bytes([m.occupied, m.empty, m.unknown].iter().flat_map(|c| c.to_be_bytes()).collect()))
     }
 
     fn ab_mass_make(args) { mass_ret(&Mass::new(args.f64(0), args.f64(1))?) }
 
-    fn ab_mass_belief(args) { Ok(Ret::F64(mass_arg(args, 0).belief(Hypothesis::parse(&args.text(1))?))) }
+    fn ab_mass_belief(args) { Ok(SqlValue::F64(mass_arg(args, 0).belief(Hypothesis::parse(&args.text(1))?))) }
 
-    fn ab_mass_plausibility(args) { Ok(Ret::F64(mass_arg(args, 0).plausibility(Hypothesis::parse(&args.text(1))?))) }
+    fn ab_mass_plausibility(args) { Ok(SqlValue::F64(mass_arg(args, 0).plausibility(Hypothesis::parse(&args.text(1))?))) }
 
     fn ab_mass_combine(args) { mass_ret(&mass_arg(args, 0).combine(&mass_arg(args, 1))?) }
 
-    fn ab_mass_conflict(args) { Ok(Ret::F64(mass_arg(args, 0).conflict(&mass_arg(args, 1)))) }
+    fn ab_mass_conflict(args) { Ok(SqlValue::F64(mass_arg(args, 0).conflict(&mass_arg(args, 1)))) }
 
-    fn ab_mass_equal(args) { Ok(Ret::Bool(mass_arg(args, 0) == mass_arg(args, 1))) }
+    fn ab_mass_equal(args) { Ok(SqlValue::Bool(mass_arg(args, 0) == mass_arg(args, 1))) }
 }

@@ -8,7 +8,7 @@ use super::grid::{grid_arg, grid_ret};
 use super::hex::{hex_in, hex_out};
 use super::rollup::rolled_up;
 use super::{box_bytes, box_from};
-use crate::pg::{Account, Args, Backend, Field, Ret, Rows, sql_functions};
+use crate::pg::{Account, Args, Backend, Field, Rows, SqlValue, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_occupancy:1:";
@@ -23,8 +23,8 @@ pub fn occupancy_arg(args: &Args, i: usize) -> Result<Occupancy> {
 }
 
 /// The stored form.
-pub fn occupancy_ret(occupancy: &Occupancy) -> Result<Ret> {
-    Ok(Ret::Bytes(occupancy.to_bytes(&Backend)?))
+pub fn occupancy_ret(occupancy: &Occupancy) -> Result<SqlValue> {
+    Ok(SqlValue::Bytes(occupancy.to_bytes(&Backend)?))
 }
 
 /// The words of a `text[]`.
@@ -75,7 +75,7 @@ sql_functions! {
     /// ab_box(occupancy), ab_box(change)
     fn ab_tile_box(args) {
         let bounds = TileHeader::read(args.prefix(0, TileHeader::LEN))?.bounds();
-        Ok(bounds.map_or(Ret::Null, |b| Ret::Fixed(box_bytes(&b))))
+        Ok(bounds.map_or(SqlValue::Null, |b| SqlValue::Fixed(box_bytes(&b))))
     }
 
     /// ab_rollup(occupancy, occupancy)
@@ -92,7 +92,7 @@ sql_functions! {
         let point = [1, 2, 3].map(|i| args.f64(i)).into();
         let header = Occupancy::header(args.prefix(0, TileHeader::LEN))?;
         let (voxel, threshold) = (header.grid.index(&point)?, Settings::threshold(args.i32(4))?);
-        Ok(Ret::text(occupancy_arg(args, 0)?.state(voxel, threshold).name()))
+        Ok(SqlValue::text(occupancy_arg(args, 0)?.state(voxel, threshold).name()))
     }
 
     /// ab_voxels(occupancy, states, threshold)
@@ -111,7 +111,7 @@ sql_functions! {
                 rows.push(&[x, y, z, Field::Text(state.name().into()), Field::I32(hits.into())]);
             }
         })?;
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 
     /// ab_slice(occupancy, axis, at, threshold)
@@ -121,13 +121,13 @@ sql_functions! {
             return Err(Error::argument("the axis", "x, y or z", name));
         };
         let slice = occupancy_arg(args, 0)?.slice(axis, args.f64(2), Settings::threshold(args.i32(3))?, &Backend)?;
-        Ok(Ret::I32Array(slice.states, vec![slice.rows as i32, slice.columns as i32]))
+        Ok(SqlValue::I32Array(slice.states, vec![slice.rows as i32, slice.columns as i32]))
     }
 
     /// ab_summary(occupancy, threshold, solid)
     fn ab_occupancy_summary(args) {
         if args.is_null(0) || args.is_null(1) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let (occupancy, threshold) = (occupancy_arg(args, 0)?, Settings::threshold(args.i32(1))?);
         let mask = if args.is_null(2) { None } else { Some(cover(args, 2, occupancy.grid(), 0.0)?) };
@@ -143,7 +143,7 @@ sql_functions! {
         let volume = occupancy.grid().voxel_volume();
         let counts = voxels.map(|n| Field::or_null(n, |n| Field::I64(n as i64)));
         let volumes = voxels.map(|n| Field::or_null(n, |n| Field::F64(n as f64 * volume)));
-        Ok(Ret::Row(counts.into_iter().chain(volumes).collect()))
+        Ok(SqlValue::Row(counts.into_iter().chain(volumes).collect()))
     }
 
     /// ab_denoise(occupancy, neighbours, threshold)

@@ -10,7 +10,7 @@ use asbuilt_core::verify::Evidence;
 use asbuilt_core::voxel::{Change, Occupancy};
 use asbuilt_core::{Budget, Error, Result};
 
-use crate::pg::{Args, Backend, Ret, sql_functions};
+use crate::pg::{Args, Backend, SqlValue, sql_functions};
 
 /// Bytes compared or hashed between two looks at the interrupt.
 const PIECE: usize = 1 << 24;
@@ -53,24 +53,24 @@ fn hash(bytes: &[u8], start: u32) -> Result<u32> {
     Ok(crc.finalize())
 }
 
-fn plain(bytes: &[u8]) -> Result<Ret> {
-    Ok(Ret::I32(hash(bytes, 0)? as i32))
+fn plain(bytes: &[u8]) -> Result<SqlValue> {
+    Ok(SqlValue::I32(hash(bytes, 0)? as i32))
 }
 
 /// With the seed in argument 1, in 64 bits; without one the low half is the plain hash.
-fn extended(args: &Args, bytes: &[u8]) -> Result<Ret> {
+fn extended(args: &Args, bytes: &[u8]) -> Result<SqlValue> {
     let wide = u64::from(hash(bytes, 0x9e37_79b9)?) << 32 | u64::from(hash(bytes, 0)?);
-    Ok(Ret::I64((wide ^ (args.i64(1) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)) as i64))
+    Ok(SqlValue::I64((wide ^ (args.i64(1) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)) as i64))
 }
 
 sql_functions! {
-    fn ab_bytes_eq(args) { Ok(Ret::Bool(order(args)?.is_eq())) }
-    fn ab_bytes_ne(args) { Ok(Ret::Bool(order(args)?.is_ne())) }
-    fn ab_bytes_lt(args) { Ok(Ret::Bool(order(args)?.is_lt())) }
-    fn ab_bytes_le(args) { Ok(Ret::Bool(order(args)?.is_le())) }
-    fn ab_bytes_ge(args) { Ok(Ret::Bool(order(args)?.is_ge())) }
-    fn ab_bytes_gt(args) { Ok(Ret::Bool(order(args)?.is_gt())) }
-    fn ab_bytes_compare(args) { Ok(Ret::I32(order(args)? as i32)) }
+    fn ab_bytes_eq(args) { Ok(SqlValue::Bool(order(args)?.is_eq())) }
+    fn ab_bytes_ne(args) { Ok(SqlValue::Bool(order(args)?.is_ne())) }
+    fn ab_bytes_lt(args) { Ok(SqlValue::Bool(order(args)?.is_lt())) }
+    fn ab_bytes_le(args) { Ok(SqlValue::Bool(order(args)?.is_le())) }
+    fn ab_bytes_ge(args) { Ok(SqlValue::Bool(order(args)?.is_ge())) }
+    fn ab_bytes_gt(args) { Ok(SqlValue::Bool(order(args)?.is_gt())) }
+    fn ab_bytes_compare(args) { Ok(SqlValue::I32(order(args)? as i32)) }
     fn ab_bytes_hash(args) { plain(&current(args.bytes(0))?) }
     fn ab_bytes_hash_extended(args) { extended(args, &current(args.bytes(0))?) }
 

@@ -7,7 +7,7 @@ use asbuilt_core::uncertain::{Line, Point};
 use asbuilt_core::voxel::TileHeader;
 
 use super::{box_from, uncertain};
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, SqlValue, sql_functions};
 
 /// Standard deviations by which a point or line is grown: searches within up to this many are served by an index.
 pub const INDEX_SIGMAS: f64 = 5.0;
@@ -64,8 +64,8 @@ pub fn tile_box(prefix: &[u8]) -> Result<Aabb> {
 /// How to find the box of an argument.
 pub type BoxOf = fn(&Args, usize) -> Result<Aabb>;
 
-fn overlaps(args: &Args, left: BoxOf, right: BoxOf) -> Result<Ret> {
-    Ok(Ret::Bool(left(args, 0)?.overlaps(&right(args, 1)?)))
+fn overlaps(args: &Args, left: BoxOf, right: BoxOf) -> Result<SqlValue> {
+    Ok(SqlValue::Bool(left(args, 0)?.overlaps(&right(args, 1)?)))
 }
 
 sql_functions! {

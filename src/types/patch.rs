@@ -6,10 +6,10 @@ use asbuilt_core::{Error, Result};
 
 use super::scan::header;
 use super::{box_from, uncertain};
-use crate::pg::{Args, Backend, Field, Ret, Rows, sql_functions};
+use crate::pg::{Args, Backend, Field, Rows, SqlValue, sql_functions};
 
-fn or_null(patch: Option<Patch>) -> Result<Ret> {
-    Ok(patch.map_or(Ret::Null, |p| Ret::Bytes(p.to_bytes())))
+fn or_null(patch: Option<Patch>) -> Result<SqlValue> {
+    Ok(patch.map_or(SqlValue::Null, |p| SqlValue::Bytes(p.to_bytes())))
 }
 
 /// Every beam of the patch in argument 0: origin, return, direction, range, intensity, colour. What did not return has
@@ -38,23 +38,23 @@ sql_functions! {
     fn ab_scan_cone(args) {
         let h = header(args)?;
         if h.origins() != Origins::One {
-            return Ok(Ret::Row(vec![Field::Null, Field::Null]));
+            return Ok(SqlValue::Row(vec![Field::Null, Field::Null]));
         }
-        Ok(Ret::Row(vec![Field::Vector(h.cone.axis.into()), Field::F64(h.cone.half_angle)]))
+        Ok(SqlValue::Row(vec![Field::Vector(h.cone.axis.into()), Field::F64(h.cone.half_angle)]))
     }
 
     fn ab_scan_range(args) {
         let h = header(args)?;
         let known = h.returns > 0 && h.origins() != Origins::Unknown;
         let [nearest, farthest] = h.range.map(|r| if known { Field::F64(f64::from(r)) } else { Field::Null });
-        Ok(Ret::Row(vec![nearest, farthest]))
+        Ok(SqlValue::Row(vec![nearest, farthest]))
     }
 
     /// ab_beams(patch): a beam without return has only a direction.
     fn ab_patch_beams(args) {
         let mut rows = Rows::new(args)?;
         beams(args, |beam| rows.push(&beam))?;
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 
     fn ab_scan_filter_box(args) { or_null(Patch::within(args.bytes(0), &box_from(&args.fixed(1)))?) }
@@ -72,7 +72,7 @@ sql_functions! {
 
     fn ab_transform_scan(args) {
         let pose: Pose = uncertain::value(args, 1);
-        Ok(Ret::Bytes(Patch::moved(args.bytes(0), &pose)?.to_bytes()))
+        Ok(SqlValue::Bytes(Patch::moved(args.bytes(0), &pose)?.to_bytes()))
     }
 
     fn ab_scan_union(args) {
@@ -84,7 +84,7 @@ sql_functions! {
         for patch in Patch::retiled(&args.bytes_array(0, "the patches")?, &Backend)? {
             rows.push(&[Field::Bytes(patch.to_bytes())]);
         }
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 
     /// ab_sees(patch, box, margin)
@@ -93,6 +93,6 @@ sql_functions! {
         if !(margin >= 0.0 && margin.is_finite()) {
             return Err(Error::argument("the margin", "0 or more, and finite", margin));
         }
-        Ok(Ret::Bool(header(args)?.sees(&box_from(&args.fixed(1)), margin)))
+        Ok(SqlValue::Bool(header(args)?.sees(&box_from(&args.fixed(1)), margin)))
     }
 }

@@ -6,22 +6,22 @@ use asbuilt_core::geometry::Aabb;
 use asbuilt_core::scan::Header;
 
 use super::overlap::{BoxOf, of_box, of_point, of_scan, of_solid, of_tile, place};
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, SqlValue, sql_functions};
 
-fn contains(args: &Args, left: BoxOf) -> Result<Ret> {
-    Ok(Ret::Bool(left(args, 0)?.contains(&of_box(args, 1)?)))
+fn contains(args: &Args, left: BoxOf) -> Result<SqlValue> {
+    Ok(SqlValue::Bool(left(args, 0)?.contains(&of_box(args, 1)?)))
 }
 
-fn contained(args: &Args, left: BoxOf) -> Result<Ret> {
-    Ok(Ret::Bool(of_box(args, 1)?.contains(&left(args, 0)?)))
+fn contained(args: &Args, left: BoxOf) -> Result<SqlValue> {
+    Ok(SqlValue::Bool(of_box(args, 1)?.contains(&left(args, 0)?)))
 }
 
-fn same(args: &Args, left: BoxOf) -> Result<Ret> {
-    Ok(Ret::Bool(left(args, 0)? == of_box(args, 1)?))
+fn same(args: &Args, left: BoxOf) -> Result<SqlValue> {
+    Ok(SqlValue::Bool(left(args, 0)? == of_box(args, 1)?))
 }
 
-fn distance(args: &Args, left: BoxOf, right: BoxOf) -> Result<Ret> {
-    Ok(Ret::F64(left(args, 0)?.distance(&right(args, 1)?)))
+fn distance(args: &Args, left: BoxOf, right: BoxOf) -> Result<SqlValue> {
+    Ok(SqlValue::F64(left(args, 0)?.distance(&right(args, 1)?)))
 }
 
 /// The box of a patch's returns; infinitely far where there are none.

@@ -5,7 +5,7 @@ use asbuilt_core::verify::{Evidence, Place};
 
 use super::mass_bytes;
 use super::summary::question;
-use crate::pg::{Account, Backend, Field, Ret, Rows, sql_functions};
+use crate::pg::{Account, Backend, Field, Rows, SqlValue, sql_functions};
 
 fn vector(v: &Vec3) -> Field {
     Field::Vector((*v).into())
@@ -17,7 +17,7 @@ sql_functions! {
     fn ab_samples(args) {
         let mut rows = Rows::new(args)?;
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
         let model = question(args, &e, 1)?;
@@ -31,13 +31,13 @@ sql_functions! {
                 Field::I32(b.beams.min(i32::MAX as u32) as i32),
             ]);
         })?;
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 
     fn ab_faces(args) {
         let mut rows = Rows::new(args)?;
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
         let model = question(args, &e, 1)?;
@@ -54,19 +54,19 @@ sql_functions! {
                 Field::or_null(f.deviation, |d| Field::F64(d.1)),
             ]);
         }
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 
     fn ab_stations(args) {
         let mut rows = Rows::new(args)?;
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
         for c in e.contributions(&Backend)? {
             let origin = if let Place::At(origin) = &c.place { vector(origin) } else { Field::Null };
             rows.push(&[Field::I64(c.station), origin, Field::I64(c.seen as i64), Field::I64(c.added as i64)]);
         }
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 }

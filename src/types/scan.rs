@@ -1,13 +1,13 @@
 //! `ab_scan`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Content, Header, Origins, Patch, Setting, check_count};
+use asbuilt_core::scan::{Beam, Content, Header, Origins, Patch, PatchSpec, check_count};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
 use super::hex::{hex_in, hex_out};
 use super::planes;
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, SqlValue, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_scan:1:";
@@ -47,7 +47,7 @@ fn from_arrays(args: &Args) -> Result<Patch> {
         content.extend_without_return(directions.into_iter().map(Vec3::from));
     }
     let step = if args.is_null(2) { content.step(origins) } else { args.f64(2) };
-    Patch::pack(&Setting { origins, station, origin, step, quantum }, &content)
+    Patch::pack(&PatchSpec { origins, station, origin, step, quantum }, &content)
 }
 
 /// One origin, or as many as the array has rows; at least one.
@@ -73,13 +73,13 @@ fn cloud(args: &Args) -> Result<Patch> {
     content.colour = planes::colour(args, 5)?;
     let (origins, station, quantum) = (Origins::Unknown, args.i64(2), args.f64(3));
     let step = if args.is_null(1) { content.step(origins) } else { args.f64(1) };
-    Patch::pack(&Setting { origins, station, origin, step, quantum }, &content)
+    Patch::pack(&PatchSpec { origins, station, origin, step, quantum }, &content)
 }
 
 sql_functions! {
     fn ab_scan_in(args) {
         let bytes = hex_in(args, "ab_scan", PREFIX)?;
-        Ok(Ret::Bytes(Patch::from_bytes(&bytes)?.to_bytes()))
+        Ok(SqlValue::Bytes(Patch::from_bytes(&bytes)?.to_bytes()))
     }
 
     fn ab_scan_out(args) {
@@ -87,7 +87,7 @@ sql_functions! {
     }
 
     fn ab_scan_recv(args) {
-        Ok(Ret::Bytes(Patch::from_bytes(args.message(0))?.to_bytes()))
+        Ok(SqlValue::Bytes(Patch::from_bytes(args.message(0))?.to_bytes()))
     }
 
     fn ab_scan_send(args) {
@@ -96,40 +96,40 @@ sql_functions! {
 
     fn ab_scan_make(args) {
         if [0, 1, 3, 4].iter().any(|&i| args.is_null(i)) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
-        Ok(Ret::Bytes(from_arrays(args)?.to_bytes()))
+        Ok(SqlValue::Bytes(from_arrays(args)?.to_bytes()))
     }
 
     fn ab_scan_cloud(args) {
         if [0, 2, 3].iter().any(|&i| args.is_null(i)) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
-        Ok(Ret::Bytes(cloud(args)?.to_bytes()))
+        Ok(SqlValue::Bytes(cloud(args)?.to_bytes()))
     }
 
     fn ab_scan_box(args) {
-        Ok(Ret::Fixed(box_bytes(&header(args)?.hull)))
+        Ok(SqlValue::Fixed(box_bytes(&header(args)?.hull)))
     }
 
     fn ab_scan_point_box(args) {
-        Ok(Ret::Fixed(box_bytes(&header(args)?.points)))
+        Ok(SqlValue::Fixed(box_bytes(&header(args)?.points)))
     }
 
     fn ab_scan_count(args) {
-        Ok(Ret::I32(header(args)?.beams as i32))
+        Ok(SqlValue::I32(header(args)?.beams as i32))
     }
 
     fn ab_scan_returns(args) {
-        Ok(Ret::I32(header(args)?.returns as i32))
+        Ok(SqlValue::I32(header(args)?.returns as i32))
     }
 
     fn ab_scan_origin(args) {
         let h = header(args)?;
-        Ok(if h.origins() == Origins::One { Ret::vector(h.origin) } else { Ret::Null })
+        Ok(if h.origins() == Origins::One { SqlValue::vector(h.origin) } else { SqlValue::Null })
     }
 
     fn ab_scan_station(args) {
-        Ok(Ret::I64(header(args)?.station))
+        Ok(SqlValue::I64(header(args)?.station))
     }
 }

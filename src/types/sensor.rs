@@ -6,7 +6,7 @@ use asbuilt_core::uncertain::Point;
 use asbuilt_core::{Error, Result};
 
 use super::{mass_ret, uncertain};
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, SqlValue, sql_functions};
 
 fn place(args: &Args, i: usize, what: &'static str) -> Result<Vec3> {
     let p = Vec3::from(args.vector::<3>(i, what)?);
@@ -52,6 +52,6 @@ sql_functions! {
         mass_ret(&seen.checked_mass(tolerance, reliability)?)
     }
 
-    fn ab_kappa(args) { Ok(Ret::F64(RayModel::of_sensor(args.f64(0), 1.0, 1.0)?.kappa)) }
-    fn ab_lambda(args) { Ok(Ret::F64(RayModel::of_sensor(1.0, args.f64(0), args.f64(1))?.lambda)) }
+    fn ab_kappa(args) { Ok(SqlValue::F64(RayModel::of_sensor(args.f64(0), 1.0, 1.0)?.kappa)) }
+    fn ab_lambda(args) { Ok(SqlValue::F64(RayModel::of_sensor(1.0, args.f64(0), args.f64(1))?.lambda)) }
 }

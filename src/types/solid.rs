@@ -5,7 +5,7 @@ use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
 use super::hex::{hex_in, hex_out};
-use crate::pg::{Args, Backend, Ret, sql_functions};
+use crate::pg::{Args, Backend, SqlValue, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_solid:1:";
@@ -28,7 +28,7 @@ fn from_arrays(args: &Args) -> Result<Solid> {
 sql_functions! {
     fn ab_solid_in(args) {
         let bytes = hex_in(args, "ab_solid", PREFIX)?;
-        Ok(Ret::Bytes(Solid::from_bytes(&bytes, &Backend)?.to_bytes(&Backend)?))
+        Ok(SqlValue::Bytes(Solid::from_bytes(&bytes, &Backend)?.to_bytes(&Backend)?))
     }
 
     fn ab_solid_out(args) {
@@ -36,7 +36,7 @@ sql_functions! {
     }
 
     fn ab_solid_recv(args) {
-        Ok(Ret::Bytes(Solid::from_bytes(args.message(0), &Backend)?.to_bytes(&Backend)?))
+        Ok(SqlValue::Bytes(Solid::from_bytes(args.message(0), &Backend)?.to_bytes(&Backend)?))
     }
 
     fn ab_solid_send(args) {
@@ -45,51 +45,51 @@ sql_functions! {
 
     /// ab_solid(vertices float8[][], triangles int[][])
     fn ab_solid_make(args) {
-        Ok(Ret::Bytes(from_arrays(args)?.to_bytes(&Backend)?))
+        Ok(SqlValue::Bytes(from_arrays(args)?.to_bytes(&Backend)?))
     }
 
     /// ab_solid(ab_box): a cuboid.
     fn ab_solid_from_box(args) {
         let b = super::box_from(&args.fixed(0));
-        Ok(Ret::Bytes(Solid::cuboid(b.min, b.max)?.to_bytes(&Backend)?))
+        Ok(SqlValue::Bytes(Solid::cuboid(b.min, b.max)?.to_bytes(&Backend)?))
     }
 
     fn ab_solid_box(args) {
-        Ok(Ret::Fixed(box_bytes(&header(args)?.bounds)))
+        Ok(SqlValue::Fixed(box_bytes(&header(args)?.bounds)))
     }
 
     fn ab_solid_area(args) {
-        Ok(Ret::F64(header(args)?.area))
+        Ok(SqlValue::F64(header(args)?.area))
     }
 
     fn ab_solid_volume(args) {
         let h = header(args)?;
-        if h.closedness == Closedness::Open { Err(Error::OpenSurface) } else { Ok(Ret::F64(h.volume)) }
+        if h.closedness == Closedness::Open { Err(Error::OpenSurface) } else { Ok(SqlValue::F64(h.volume)) }
     }
 
     fn ab_solid_closedness(args) {
-        Ok(Ret::text(header(args)?.closedness.label()))
+        Ok(SqlValue::text(header(args)?.closedness.label()))
     }
 
     fn ab_solid_vertices(args) {
         let s = Solid::from_stored(args.bytes(0), &Backend)?;
         let flat = s.vertices().iter().flat_map(|v| [v.x, v.y, v.z]).collect();
-        Ok(Ret::F64Array(flat, vec![s.vertices().len() as i32, 3]))
+        Ok(SqlValue::F64Array(flat, vec![s.vertices().len() as i32, 3]))
     }
 
     fn ab_solid_triangles(args) {
         let s = Solid::from_stored(args.bytes(0), &Backend)?;
         let flat = s.triangles().iter().flatten().map(|&i| i as i32).collect();
-        Ok(Ret::I32Array(flat, vec![s.triangles().len() as i32, 3]))
+        Ok(SqlValue::I32Array(flat, vec![s.triangles().len() as i32, 3]))
     }
 
     fn ab_solid_from_ewkb(args) {
-        Ok(Ret::Bytes(Solid::from_ewkb(args.bytes(0), &Backend)?.to_bytes(&Backend)?))
+        Ok(SqlValue::Bytes(Solid::from_ewkb(args.bytes(0), &Backend)?.to_bytes(&Backend)?))
     }
 
     /// ab_as_ewkb(solid, tin)
     fn ab_solid_as_ewkb(args) {
         let kind = if args.bool(1) { SurfaceKind::Tin } else { SurfaceKind::Polyhedral };
-        Ok(Ret::Bytes(Solid::from_stored(args.bytes(0), &Backend)?.to_ewkb(kind, &Backend)?))
+        Ok(SqlValue::Bytes(Solid::from_stored(args.bytes(0), &Backend)?.to_ewkb(kind, &Backend)?))
     }
 }

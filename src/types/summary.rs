@@ -3,7 +3,7 @@
 use asbuilt_core::Result;
 use asbuilt_core::verify::{Evidence, EvidenceModel, Shift, Summary, VerdictRule};
 
-use crate::pg::{Account, Args, Backend, Field, Ret, sql_functions};
+use crate::pg::{Account, Args, Backend, Field, SqlValue, sql_functions};
 
 /// The evidence's model, with the level of accuracy in argument `i` and the confidence in the next, unless NULL.
 pub fn question(args: &Args, e: &Evidence, i: usize) -> Result<EvidenceModel> {
@@ -94,31 +94,31 @@ sql_functions! {
     on Account::Evidence;
 
     /// ab_summary(evidence, loa, confidence, min_confirmed, min_coverage, max_conflict)
-    fn ab_evidence_summary(args) { Ok(summary_arg(args)?.map_or(Ret::Null, |s| Ret::Row(row(&s)))) }
+    fn ab_evidence_summary(args) { Ok(summary_arg(args)?.map_or(SqlValue::Null, |s| SqlValue::Row(row(&s)))) }
 
     fn ab_verdict(args) {
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
         let verdict = e.verdict(&question(args, &e, 1)?, &rule(args, 3)?, &Backend)?;
-        Ok(Ret::text(verdict.name()))
+        Ok(SqlValue::text(verdict.name()))
     }
 
     /// ab_explain(evidence, loa, confidence, min_confirmed, min_coverage, max_conflict)
     fn ab_explain(args) {
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
-        Ok(Ret::text(&e.explain(&question(args, &e, 1)?, &rule(args, 3)?, &Backend)?))
+        Ok(SqlValue::text(&e.explain(&question(args, &e, 1)?, &rule(args, 3)?, &Backend)?))
     }
 
     /// ab_shift(evidence)
     fn ab_evidence_shift(args) {
         if args.is_null(0) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
-        Ok(Ret::Row(shift_fields(shift_arg(args)?.as_ref()).to_vec()))
+        Ok(SqlValue::Row(shift_fields(shift_arg(args)?.as_ref()).to_vec()))
     }
 }

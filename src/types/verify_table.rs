@@ -6,7 +6,9 @@ use asbuilt_core::{Budget, Error, Result};
 
 use super::evidence_model::{model_arg, parse};
 use super::summary::{row, rule};
-use crate::pg::{Account, Args, Backend, Cell, Column, Crew, Field, Query, Ret, Rows, for_each_batch, sql_functions};
+use crate::pg::{
+    Account, Args, Backend, Cell, Column, Field, Query, Rows, SqlValue, WorkerPool, for_each_batch, sql_functions,
+};
 
 /// Patches that are unpacked at once: about ten megabytes.
 const BATCH: i64 = 64;
@@ -22,7 +24,7 @@ struct Objects {
     solids: Vec<(Solid, EvidenceModel)>,
 }
 
-fn objects(args: &Args, model: &EvidenceModel, crew: &Crew) -> Result<Objects> {
+fn objects(args: &Args, model: &EvidenceModel, crew: &WorkerPool) -> Result<Objects> {
     let query = Query {
         what: "the query of objects",
         text: &args.text(0),
@@ -49,7 +51,7 @@ fn objects(args: &Args, model: &EvidenceModel, crew: &Crew) -> Result<Objects> {
     Ok(out)
 }
 
-fn absorb_scans(args: &Args, verifier: &mut Verifier, crew: &Crew) -> Result<()> {
+fn absorb_scans(args: &Args, verifier: &mut Verifier, crew: &WorkerPool) -> Result<()> {
     let query = Query {
         what: "the query of scans",
         text: &args.text(1),
@@ -86,7 +88,7 @@ sql_functions! {
         }
         let (model, rule) = (model_arg(args, 2)?, rule(args, 4)?);
         let keep = args.is_null(3) || args.bool(3);
-        let crew = Crew::gather();
+        let crew = WorkerPool::gather();
         let objects = objects(args, &model, &crew)?;
         let mut verifier = crew.run(|interrupt| Verifier::new(&objects.solids, crew.threads(), interrupt))?;
         absorb_scans(args, &mut verifier, &crew)?;
@@ -109,6 +111,6 @@ sql_functions! {
                 out.push(&fields);
             }
         }
-        Ok(Ret::Null)
+        Ok(SqlValue::Null)
     }
 }

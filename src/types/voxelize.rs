@@ -5,7 +5,7 @@ use asbuilt_core::voxel::{Grid, Mask, Rule, VoxelAccuracy};
 
 use super::grid::tile_arg;
 use super::occupancy::occupancy_ret;
-use crate::pg::{Account, Backend, Field, Ret, sql_functions};
+use crate::pg::{Account, Backend, Field, SqlValue, sql_functions};
 
 sql_functions! {
     on Account::Grid;
@@ -13,7 +13,7 @@ sql_functions! {
     /// ab_voxelize(solid, voxel, rule, tile)
     fn ab_voxelize(args) {
         if (0..3).any(|i| args.is_null(i)) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let grid = Grid::new(args.f64(1), tile_arg(args, 3), 0.0, 0.0)?;
         let rule = Rule::parse(&args.text(2))?;
@@ -25,6 +25,6 @@ sql_functions! {
     fn ab_voxel_accuracy(args) {
         let a = VoxelAccuracy::of(args.f64(0))?;
         let levels = [a.absolute, a.relative, a.relative_linear].map(|l| Field::or_null(l, Field::Loa));
-        Ok(Ret::Row([Field::F64(a.max_error)].into_iter().chain(levels).collect()))
+        Ok(SqlValue::Row([Field::F64(a.max_error)].into_iter().chain(levels).collect()))
     }
 }

@@ -4,7 +4,7 @@
 use anyhow::Result;
 
 /// The least that a reader can work with, bytes.
-const LEAST: u64 = 64 << 20;
+const MIN_BUDGET: u64 = 64 << 20;
 
 /// Three quarters of the machine's memory, or of what its container may use; where neither is known, 4 GB.
 pub fn budget() -> u64 {
@@ -15,7 +15,7 @@ pub fn budget() -> u64 {
     });
     let container = text("/sys/fs/cgroup/memory.max").and_then(|t| t.trim().parse::<u64>().ok());
     let most = machine.into_iter().chain(container).min().unwrap_or(4 << 30);
-    (most / 4 * 3).max(LEAST)
+    (most / 4 * 3).max(MIN_BUDGET)
 }
 
 /// `512MB`, `4GB`: a number with a unit that is a power of 1024, as in PostgreSQL.
@@ -30,7 +30,7 @@ pub fn parse(text: &str) -> std::result::Result<u64, String> {
     };
     let bytes = number.parse::<u64>().ok().and_then(|n| n.checked_mul(1 << shift));
     let bytes = bytes.filter(|&b| b <= i64::MAX as u64).ok_or_else(|| format!("\"{text}\" is no size of memory"))?;
-    if bytes < LEAST { Err(format!("{text} is too little to read with; at least 64MB")) } else { Ok(bytes) }
+    if bytes < MIN_BUDGET { Err(format!("{text} is too little to read with; at least 64MB")) } else { Ok(bytes) }
 }
 
 /// Bytes as people write them.
@@ -69,6 +69,6 @@ mod tests {
         for wrong in ["", "4", "GB", "1kB", "-1GB", "99999999999TB"] {
             assert!(parse(wrong).is_err(), "{wrong}");
         }
-        assert!(budget() >= LEAST);
+        assert!(budget() >= MIN_BUDGET);
     }
 }

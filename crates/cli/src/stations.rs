@@ -3,7 +3,7 @@
 use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::scan::{Origins, Patch, Setting};
+use asbuilt_core::scan::{Origins, Patch, PatchSpec};
 use rayon::prelude::*;
 
 use crate::read::RawScan;
@@ -49,7 +49,7 @@ pub fn pack(
     let (origin, quantum) = (scan.anchor, Patch::QUANTUM_M);
     let encode = |tile: &Vec<u32>| {
         let own = scan.content.select(tile);
-        Patch::pack(&Setting { origins, station, origin, step: own.step(origins), quantum }, &own)
+        Patch::pack(&PatchSpec { origins, station, origin, step: own.step(origins), quantum }, &own)
     };
     let tiles = scan.content.cut(origins, NEVER)?;
     // In batches, so that the packed patches of a large scan are not all in memory at once.

@@ -4,7 +4,7 @@
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::scan::{Beam, Content, Origins, Patch, Setting};
+use asbuilt_core::scan::{Beam, Content, Origins, Patch, PatchSpec};
 use asbuilt_core::verify::{Collector, EvidenceModel, Summary, Verdict, VerdictRule};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -37,7 +37,7 @@ fn drive(at: f64) -> Content {
 }
 
 fn judged(content: &Content, origins: Origins, origin: Vec3) -> Summary {
-    let setting = Setting { origins, station: 7, origin, step: STEP, quantum: Patch::QUANTUM_M };
+    let setting = PatchSpec { origins, station: 7, origin, step: STEP, quantum: Patch::QUANTUM_M };
     let mut c = Collector::new(&wall(), EvidenceModel::default(), NEVER).unwrap();
     let all: Vec<u32> = (0..content.len() as u32).collect();
     for part in all.chunks(4000) {
@@ -74,7 +74,7 @@ fn both_sides_of_an_open_surface_agree() {
             (start.x, beam.offset.x) = (start.x * side, beam.offset.x * side);
         }
         let setting =
-            Setting { origins: Origins::Each, station: 7, origin: BASE, step: STEP, quantum: Patch::QUANTUM_M };
+            PatchSpec { origins: Origins::Each, station: 7, origin: BASE, step: STEP, quantum: Patch::QUANTUM_M };
         for part in (0..content.len() as u32).collect::<Vec<_>>().chunks(4000) {
             c.absorb(&Patch::pack(&setting, &content.select(part)).unwrap().to_bytes(), NEVER).unwrap();
         }

@@ -1,7 +1,7 @@
 //! Occupancy against brute force: every voxel against every beam, by clipping, sharing no code with the carver.
 
 use asbuilt_core::geometry::{Aabb, Vec3};
-use asbuilt_core::scan::{Beam, Content, Origins, Patch, Setting};
+use asbuilt_core::scan::{Beam, Content, Origins, Patch, PatchSpec};
 use asbuilt_core::voxel::{Grid, Occupancy, State};
 use asbuilt_core::{AtOnce, Error, NEVER};
 use proptest::prelude::*;
@@ -44,7 +44,7 @@ fn scene(seed: u64, centre: Vec3, patches: usize) -> Vec<Vec<u8>> {
         let moving = k % 4 == 3;
         let starts = moving.then(|| (0..beams.len()).map(|_| around(&mut rng, 0.5)).collect());
         let origins = if moving { Origins::Each } else { Origins::One };
-        let setting = Setting { origins, station: 1, origin, step: 0.01, quantum: Patch::QUANTUM_M };
+        let setting = PatchSpec { origins, station: 1, origin, step: 0.01, quantum: Patch::QUANTUM_M };
         out.push(Patch::pack(&setting, &Content { starts, ..Content::of(beams) }).unwrap().to_bytes());
     }
     out

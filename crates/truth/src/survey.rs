@@ -3,7 +3,7 @@
 use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Content, Origins, Patch, Setting};
+use asbuilt_core::scan::{Beam, Content, Origins, Patch, PatchSpec};
 use asbuilt_simulate::{Scanner, Scene, SimulatedScan};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
@@ -95,7 +95,7 @@ fn pack(scan: &SimulatedScan, station: i64) -> Result<Vec<Vec<u8>>> {
     let patch = |tile: &Vec<u32>| {
         let (own, origins) = (content.select(tile), Origins::One);
         let step = own.step(origins);
-        let setting = Setting { origins, station, origin: scan.registered, step, quantum: Patch::QUANTUM_M };
+        let setting = PatchSpec { origins, station, origin: scan.registered, step, quantum: Patch::QUANTUM_M };
         Ok(Patch::pack(&setting, &own)?.to_bytes())
     };
     content.cut(Origins::One, NEVER)?.par_iter().map(patch).collect()

@@ -8,10 +8,10 @@ use super::line::line;
 use super::plane::plane;
 use super::point::point;
 use super::ret;
-use crate::pg::{Field, Ret, sql_functions};
+use crate::pg::{Field, SqlValue, sql_functions};
 
-fn row(d: &Distance) -> Result<Ret> {
-    Ok(Ret::Row(vec![Field::F64(d.distance), Field::F64(d.sd)]))
+fn row(d: &Distance) -> Result<SqlValue> {
+    Ok(SqlValue::Row(vec![Field::F64(d.distance), Field::F64(d.sd)]))
 }
 
 sql_functions! {

@@ -3,7 +3,7 @@
 use asbuilt_core::uncertain::{Line, Plane, Point, Pose, Stored};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, SqlValue, sql_functions};
 
 /// The value in argument `i`.
 pub fn value<T: Stored<N>, const N: usize>(args: &Args, i: usize) -> T {
@@ -11,20 +11,20 @@ pub fn value<T: Stored<N>, const N: usize>(args: &Args, i: usize) -> T {
 }
 
 /// Returns a value after checking that its numbers are in range: whatever is stored can be read again.
-pub fn ret<T: Stored<N> + Copy, const N: usize>(x: &T) -> Result<Ret> {
+pub fn ret<T: Stored<N> + Copy, const N: usize>(x: &T) -> Result<SqlValue> {
     // Zero has no sign: the text form does not always show it.
-    Ok(Ret::Fixed(x.in_range()?.to_numbers().iter().flat_map(|c| (c + 0.0).to_ne_bytes()).collect()))
+    Ok(SqlValue::Fixed(x.in_range()?.to_numbers().iter().flat_map(|c| (c + 0.0).to_ne_bytes()).collect()))
 }
 
-fn read<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<Ret> {
+fn read<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<SqlValue> {
     ret(&T::from_text(&args.cstring(0))?)
 }
 
-fn shown<T: Stored<N>, const N: usize>(args: &Args) -> Result<Ret> {
-    Ok(Ret::CString(value::<T, N>(args, 0).to_text()))
+fn shown<T: Stored<N>, const N: usize>(args: &Args) -> Result<SqlValue> {
+    Ok(SqlValue::CString(value::<T, N>(args, 0).to_text()))
 }
 
-fn received<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<Ret> {
+fn received<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<SqlValue> {
     let bytes = args.message(0);
     let (words, rest) = bytes.as_chunks::<8>();
     match <&[[u8; 8]; N]>::try_from(words) {
@@ -36,16 +36,16 @@ fn received<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<Ret> {
     }
 }
 
-fn sent<const N: usize>(args: &Args) -> Result<Ret> {
-    Ok(Ret::Bytes(args.numbers::<N>(0).iter().flat_map(|c| c.to_be_bytes()).collect()))
+fn sent<const N: usize>(args: &Args) -> Result<SqlValue> {
+    Ok(SqlValue::Bytes(args.numbers::<N>(0).iter().flat_map(|c| c.to_be_bytes()).collect()))
 }
 
-fn listed<const N: usize>(args: &Args) -> Result<Ret> {
-    Ok(Ret::F64Array(args.numbers::<N>(0).to_vec(), vec![N as i32]))
+fn listed<const N: usize>(args: &Args) -> Result<SqlValue> {
+    Ok(SqlValue::F64Array(args.numbers::<N>(0).to_vec(), vec![N as i32]))
 }
 
 /// From the coordinates alone, which are then exact, or from coordinates and covariance.
-fn from_list<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<Ret> {
+fn from_list<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<SqlValue> {
     let list = args.f64_list(0, "the numbers of the value")?;
     let mut numbers = [0.0; N];
     if list.len() != N && list.len() != T::COORDINATES {

@@ -6,7 +6,7 @@ use asbuilt_core::uncertain::{Plane, join};
 use super::line::line;
 use super::point::point;
 use super::{ret, value};
-use crate::pg::{Args, Ret, sql_functions};
+use crate::pg::{Args, SqlValue, sql_functions};
 
 pub(super) fn plane(args: &Args, i: usize) -> Plane {
     value(args, i)
@@ -16,7 +16,7 @@ sql_functions! {
     /// ab_plane(point, normal, sd_offset, sd_tilt, covariance)
     fn ab_plane_make(args) {
         if (0..4).any(|i| args.is_null(i)) {
-            return Ok(Ret::Null);
+            return Ok(SqlValue::Null);
         }
         let at = args.vector::<3>(0, "the point of the plane")?.into();
         let normal = args.vector::<3>(1, "the normal of the plane")?.into();
@@ -32,7 +32,7 @@ sql_functions! {
     fn ab_plane_join(args) { ret(&join::plane_through(&point(args, 0), &point(args, 1), &point(args, 2))?) }
     fn ab_plane_join_line(args) { ret(&join::plane_through_line(&line(args, 0), &point(args, 1))?) }
 
-    fn ab_plane_position(args) { Ok(Ret::vector(plane(args, 0).point)) }
-    fn ab_plane_normal(args) { Ok(Ret::vector(plane(args, 0).normal)) }
-    fn ab_plane_covariance(args) { Ok(Ret::matrix(&plane(args, 0).covariance)) }
+    fn ab_plane_position(args) { Ok(SqlValue::vector(plane(args, 0).point)) }
+    fn ab_plane_normal(args) { Ok(SqlValue::vector(plane(args, 0).normal)) }
+    fn ab_plane_covariance(args) { Ok(SqlValue::matrix(&plane(args, 0).covariance)) }
 }

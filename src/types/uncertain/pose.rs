@@ -8,7 +8,7 @@ use super::line::line;
 use super::plane::plane;
 use super::point::point;
 use super::{ret, value};
-use crate::pg::{Args, Backend, Ret, sql_functions};
+use crate::pg::{Args, Backend, SqlValue, sql_functions};
 
 fn pose(args: &Args, i: usize) -> Pose {
     value(args, i)
@@ -31,15 +31,15 @@ fn made(args: &Args) -> Result<Pose> {
 sql_functions! {
     /// ab_pose(translation, rotation, scale, sd_rotation, sd_translation, sd_scale, covariance)
     fn ab_pose_make(args) {
-        if (0..6).any(|i| args.is_null(i)) { Ok(Ret::Null) } else { ret(&made(args)?) }
+        if (0..6).any(|i| args.is_null(i)) { Ok(SqlValue::Null) } else { ret(&made(args)?) }
     }
 
-    fn ab_pose_translation(args) { Ok(Ret::vector(pose(args, 0).translation)) }
-    fn ab_pose_scale(args) { Ok(Ret::F64(pose(args, 0).scale)) }
-    fn ab_pose_covariance(args) { Ok(Ret::matrix(&pose(args, 0).covariance)) }
+    fn ab_pose_translation(args) { Ok(SqlValue::vector(pose(args, 0).translation)) }
+    fn ab_pose_scale(args) { Ok(SqlValue::F64(pose(args, 0).scale)) }
+    fn ab_pose_covariance(args) { Ok(SqlValue::matrix(&pose(args, 0).covariance)) }
     fn ab_pose_rotation(args) {
         let q = pose(args, 0).rotation;
-        Ok(Ret::F64Array(vec![q.w, q.i, q.j, q.k], vec![4]))
+        Ok(SqlValue::F64Array(vec![q.w, q.i, q.j, q.k], vec![4]))
     }
 
     fn ab_transform_point(args) { ret(&pose(args, 1).point(&point(args, 0))?) }
@@ -52,6 +52,6 @@ sql_functions! {
         let (solid, pose) = (Solid::from_stored(args.bytes(0), &Backend)?, pose(args, 1));
         let vertices = solid.vertices().iter().map(|v| pose.apply(v)).collect();
         let moved = Solid::interruptible(vertices, solid.triangles().to_vec(), &Backend)?;
-        Ok(Ret::Bytes(moved.to_bytes(&Backend)?))
+        Ok(SqlValue::Bytes(moved.to_bytes(&Backend)?))
     }
 }

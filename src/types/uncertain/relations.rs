@@ -6,17 +6,17 @@ use asbuilt_core::{Error, Result};
 use super::line::line;
 use super::plane::plane;
 use super::point::point;
-use crate::pg::{Args, Field, Ret, sql_functions};
+use crate::pg::{Args, Field, SqlValue, sql_functions};
 
-fn row(t: &Test) -> Result<Ret> {
-    Ok(Ret::Row(vec![Field::F64(t.statistic), Field::I32(t.dof as i32), Field::F64(t.p_value)]))
+fn row(t: &Test) -> Result<SqlValue> {
+    Ok(SqlValue::Row(vec![Field::F64(t.statistic), Field::I32(t.dof as i32), Field::F64(t.p_value)]))
 }
 
 /// Argument 2 is the significance.
-fn holds(args: &Args, t: &Test) -> Result<Ret> {
+fn holds(args: &Args, t: &Test) -> Result<SqlValue> {
     let significance = args.f64(2);
     if significance > 0.0 && significance < 1.0 {
-        Ok(Ret::Bool(t.holds(significance)))
+        Ok(SqlValue::Bool(t.holds(significance)))
     } else {
         Err(Error::argument("the significance", "between 0 and 1, both excluded", significance))
     }

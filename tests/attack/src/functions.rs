@@ -10,7 +10,7 @@ use crate::session::Session;
 use crate::values::{Pool, quoted};
 
 /// Rows are bounded: a function that gives billions is asked for the first of them.
-const MOST_ROWS: u32 = 200;
+const MAX_ROWS: u32 = 200;
 
 pub fn run(s: &mut Session, catalogue: &Catalogue, pool: &Pool, rng: &mut ChaCha8Rng, rounds: u32) {
     sweep(s, catalogue, pool);
@@ -34,7 +34,7 @@ fn sweep(s: &mut Session, catalogue: &Catalogue, pool: &Pool) {
     for f in catalogue.functions.iter().filter(|f| !f.aggregate) {
         let [argument] = &f.arguments[..] else { continue };
         for v in pool.of(argument) {
-            let sql = format!("SELECT {}({}::{argument}) LIMIT {MOST_ROWS}", f.name, quoted(&v.text));
+            let sql = format!("SELECT {}({}::{argument}) LIMIT {MAX_ROWS}", f.name, quoted(&v.text));
             let _ = s.query(&format!("{} of every value", f.signature), &sql, &[]);
         }
     }
@@ -45,8 +45,8 @@ fn call(s: &mut Session, pool: &Pool, rng: &mut ChaCha8Rng, f: &Function) {
     let a = pool.literals(rng, f);
     let key = |how: &str| format!("{} {how}", f.signature);
     match rng.random_range(0..10) {
-        0 => drop(s.text(&key("as text"), &format!("SELECT {name}({a}) LIMIT {MOST_ROWS}"))),
-        1 => drop(s.query(&key("as binary"), &format!("SELECT {name}({a}) LIMIT {MOST_ROWS}"), &[])),
+        0 => drop(s.text(&key("as text"), &format!("SELECT {name}({a}) LIMIT {MAX_ROWS}"))),
+        1 => drop(s.query(&key("as binary"), &format!("SELECT {name}({a}) LIMIT {MAX_ROWS}"), &[])),
         2 => parameters(s, pool, rng, f, 0.0),
         3 => parameters(s, pool, rng, f, 0.5),
         4 => drop(s.query(&key("of stored values"), &stored(pool, rng, f), &[])),
@@ -55,10 +55,10 @@ fn call(s: &mut Session, pool: &Pool, rng: &mut ChaCha8Rng, f: &Function) {
             drop(s.query(&key("in FROM"), &format!("SELECT x FROM {name}({a}) x LIMIT {rows}"), &[]));
         }
         6 => {
-            let sql = format!("SELECT ARRAY[{name}({a})] LIMIT {MOST_ROWS}");
+            let sql = format!("SELECT ARRAY[{name}({a})] LIMIT {MAX_ROWS}");
             drop(s.query(&key("in an array"), &sql, &[]));
         }
-        7 => drop(s.query(&key("in a row"), &format!("SELECT ROW({name}({a}), 1) LIMIT {MOST_ROWS}"), &[])),
+        7 => drop(s.query(&key("in a row"), &format!("SELECT ROW({name}({a}), 1) LIMIT {MAX_ROWS}"), &[])),
         8 => drop(s.execute(&key("from PL/pgSQL"), &plpgsql(pool, rng, f))),
         _ => {
             let sql = format!("SELECT x.v, x.v::text FROM (SELECT {name}({a}) AS v LIMIT 20) x");
@@ -81,7 +81,7 @@ fn parameters(s: &mut Session, pool: &Pool, rng: &mut ChaCha8Rng, f: &Function, 
     }
     let slots: Vec<String> = f.arguments.iter().enumerate().map(|(i, a)| format!("${}::{a}", i + 1)).collect();
     let values: Vec<_> = f.arguments.iter().map(|a| pool.raw(rng, a, damage)).collect();
-    let sql = format!("SELECT {}({}) LIMIT {MOST_ROWS}", f.name, slots.join(", "));
+    let sql = format!("SELECT {}({}) LIMIT {MAX_ROWS}", f.name, slots.join(", "));
     let _ = s.query(&format!("{} with binary parameters", f.signature), &sql, &values);
 }
 

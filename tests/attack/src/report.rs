@@ -40,7 +40,7 @@ const KINDS: [(Kind, &str); 9] = [
 ];
 
 /// Findings of a kind that are printed; all of them are kept in files.
-const MOST_SHOWN: usize = 12;
+const MAX_SHOWN: usize = 12;
 
 /// Counts of one piece.
 #[derive(Default)]
@@ -111,8 +111,8 @@ impl Report {
         let whole = format!("-- {kind:?} [{key}] piece {piece}, seed {seed}\n-- {}\n{statement}\n", one_line(detail));
         let _ = std::fs::write(&file, whole);
         let n = self.seen.iter().filter(|(k, _)| *k == kind).count();
-        if n > MOST_SHOWN {
-            if n == MOST_SHOWN + 1 {
+        if n > MAX_SHOWN {
+            if n == MAX_SHOWN + 1 {
                 println!("    … further {kind:?} findings only in {}", self.folder.display());
             }
             return;

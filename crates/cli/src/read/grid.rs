@@ -30,7 +30,7 @@ pub fn missing_directions(cells: &[Cell]) -> Vec<Vec3> {
 }
 
 /// Number of cells by which a fit is judged: enough for a median.
-const MOST_CHECKED: usize = 100_000;
+const MAX_CHECKED: usize = 100_000;
 
 struct Fit {
     azimuths: Vec<Option<f64>>,
@@ -79,7 +79,7 @@ impl Fit {
         let known: Vec<f64> = self.elevations.iter().flatten().copied().collect();
         let steps = known.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|s| *s > 0.0 && *s < PI / 8.0);
         let Some(step) = median(&mut steps.collect::<Vec<_>>()) else { return false };
-        let some = cells.iter().step_by(cells.len().div_ceil(MOST_CHECKED).max(1));
+        let some = cells.iter().step_by(cells.len().div_ceil(MAX_CHECKED).max(1));
         let mut errors: Vec<f64> =
             some.filter_map(|c| Some((self.direction(c)? - c.point?.try_normalize(1e-9)?).norm())).collect();
         median(&mut errors).is_some_and(|e| e <= 0.5 * step)

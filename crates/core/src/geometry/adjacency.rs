@@ -6,7 +6,7 @@ use crate::num::sort::sort;
 use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
 /// An edge shared by more triangles than this is the spine of a fan or junk; pairing all of them would be quadratic.
-const MOST_SHARED: usize = 16;
+const MAX_SHARED: usize = 16;
 
 /// For each triangle the triangles across its edges, in one flat list.
 #[derive(Debug)]
@@ -62,7 +62,7 @@ fn for_each_shared(edges: &[[u32; 3]], interrupt: Interrupt, mut pair: impl FnMu
     let same_edge = |a: &[u32; 3], b: &[u32; 3]| a[..2] == b[..2];
     for (round, shared) in edges.chunk_by(same_edge).enumerate() {
         poll_now_and_then(round, interrupt)?;
-        if shared.len() > MOST_SHARED {
+        if shared.len() > MAX_SHARED {
             continue;
         }
         for [.., t] in shared {

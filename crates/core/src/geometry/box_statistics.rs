@@ -10,7 +10,7 @@ use super::Aabb;
 /// Most cells: `CELLS`² pairs are examined to plan a join.
 const CELLS: usize = 128;
 /// Fewest boxes worth a cell of their own.
-const LEAST: usize = 4;
+const MIN_IN_CELL: usize = 4;
 /// Numbers of a cell.
 const NUMBERS: usize = 10;
 
@@ -97,7 +97,7 @@ fn partition(own: &mut [[f64; 6]], cells: usize, emit: &mut impl FnMut(&[[f64; 6
     };
     let widest = (0..6).map(|k| (k, spread(k))).max_by(|a, b| a.1.total_cmp(&b.1));
     match widest {
-        Some((k, wide)) if cells > 1 && own.len() >= 2 * LEAST && wide > 0.0 => {
+        Some((k, wide)) if cells > 1 && own.len() >= 2 * MIN_IN_CELL && wide > 0.0 => {
             let middle = own.len() / 2;
             own.select_nth_unstable_by(middle, |a, b| a[k].total_cmp(&b[k]));
             let (low, high) = own.split_at_mut(middle);

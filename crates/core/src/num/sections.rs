@@ -22,7 +22,7 @@ const PREAMBLE: usize = 4;
 /// Bytes before a section's content.
 const HEAD: usize = 12;
 /// Most bytes that PostgreSQL stores in a value.
-const MOST_STORED: usize = (1 << 30) - (1 << 10);
+const MAX_STORED: usize = (1 << 30) - (1 << 10);
 
 /// Bytes of a value up to the end of a header of this length.
 pub const fn header_end(content: usize) -> usize {
@@ -46,7 +46,7 @@ pub fn put_section(
     out.put(&[0; 8]);
     write(out)?;
     let len = out.len() - start - HEAD;
-    if out.len() > MOST_STORED {
+    if out.len() > MAX_STORED {
         let value = format!("{} MB", out.len() >> 20);
         return Err(Error::Limit { what: Limited::StoredForm, value, limit: "1 GB".into() });
     }

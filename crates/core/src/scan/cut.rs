@@ -4,7 +4,7 @@ use super::cluster::{angular_spacing, clusters, spacing};
 use super::content::Content;
 use super::origins::Origins;
 use super::patch::Patch;
-use super::setting::Setting;
+use super::patch_spec::PatchSpec;
 use super::tile::{mean_step, tiles};
 use crate::geometry::Vec3;
 use crate::{Interrupt, Result, poll, room};
@@ -22,7 +22,7 @@ impl Content {
         }
     }
 
-    /// The step of a patch of these beams ([`super::Setting::step`]) when nobody tells.
+    /// The step of a patch of these beams ([`super::PatchSpec::step`]) when nobody tells.
     pub fn step(&self, origins: Origins) -> f64 {
         match origins {
             Origins::One => mean_step(&self.beams),
@@ -31,12 +31,12 @@ impl Content {
         }
     }
 
-    /// The beams cut into patches of neighbours, each packed by the setting that `setting` gives it.
+    /// The beams cut into patches of neighbours, each packed by the setting that `patch_spec` gives it.
     pub(super) fn packed(
         &self,
         origins: Origins,
         interrupt: Interrupt,
-        setting: impl Fn(&Self) -> Setting,
+        setting: impl Fn(&Self) -> PatchSpec,
     ) -> Result<Vec<Patch>> {
         let pack = |tile: &Vec<u32>| {
             poll(interrupt)?;

@@ -5,7 +5,7 @@ use super::cone::Cone;
 use super::content::Content;
 use super::header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M};
 use super::origins::Origins;
-use super::setting::Setting;
+use super::patch_spec::PatchSpec;
 use super::{bitpack, planes};
 use crate::error::{Error, Limited, Result};
 use crate::geometry::{Aabb, Vec3, check_coordinates};
@@ -24,7 +24,7 @@ struct Quanta {
 }
 
 /// Header and payload.
-pub fn encode(setting: &Setting, content: &Content) -> Result<(Header, Vec<u8>)> {
+pub fn encode(setting: &PatchSpec, content: &Content) -> Result<(Header, Vec<u8>)> {
     check(setting, content)?;
     let quanta = quantise(content, setting.quantum)?;
     let all_returned = content.beams.iter().all(|b| b.returned);
@@ -75,7 +75,7 @@ pub fn check_count(n: usize) -> Result<()> {
 }
 
 /// Fails where beams and setting cannot be those of a patch.
-pub fn check(setting: &Setting, content: &Content) -> Result<()> {
+pub fn check(setting: &PatchSpec, content: &Content) -> Result<()> {
     let n = content.len();
     if n == 0 {
         return Err(Error::Empty { what: "the scan patch" });
@@ -153,8 +153,8 @@ impl Quanta {
 }
 
 /// The header of beams as a reader sees them.
-pub fn describe(flags: u8, setting: &Setting, content: &Content) -> Result<Header> {
-    let Setting { origins, station, origin, step, quantum } = *setting;
+pub fn describe(flags: u8, setting: &PatchSpec, content: &Content) -> Result<Header> {
+    let PatchSpec { origins, station, origin, step, quantum } = *setting;
     let returned = || (0..content.len()).filter(|&i| content.beams[i].returned);
     let world: Vec<Vec3> = returned().map(|i| origin + content.end(i)).collect();
     let flat = Aabb { min: origin.into(), max: origin.into() };

@@ -3,7 +3,7 @@
 use super::cone::Cone;
 use super::content::Content;
 use super::origins::Origins;
-use super::setting::Setting;
+use super::patch_spec::PatchSpec;
 use crate::NEVER;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
@@ -92,9 +92,9 @@ impl Header {
     }
 
     /// What the beams have in common.
-    pub fn setting(&self) -> Setting {
+    pub fn setting(&self) -> PatchSpec {
         let (station, origin, quantum) = (self.station, self.origin, self.quantum);
-        Setting { origins: self.origins(), station, origin, step: f64::from(self.step), quantum }
+        PatchSpec { origins: self.origins(), station, origin, step: f64::from(self.step), quantum }
     }
 
     /// Whether a beam of the patch can come within `margin` metres of a box: by cone and range, against the ball around

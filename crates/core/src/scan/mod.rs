@@ -2,7 +2,7 @@
 //!
 //! All beams of a terrestrial scan start at one point, so a tile of neighbouring directions is a narrow [`Cone`]. A
 //! [`Patch`] stores one tile: a [`Header`] that answers where it looks and how far, and a bit-packed payload. A
-//! [`View`] is the decoded tile as a small range image, in which "which beams pass near this point" is a question of
+//! [`RangeImage`] is the decoded tile as a small range image, in which "which beams pass near this point" is a question of
 //! two angles. Two other kinds are the same type on slower paths: beams of a moving platform, each with an origin of
 //! its own, and points whose origin is unknown ([`Origins`]).
 //!
@@ -12,7 +12,7 @@
 //! * [`content`]: many of them, with what else was measured of each;
 //! * [`cone`]: the directions of a tile;
 //! * [`origins`]: where the beams of a patch start;
-//! * [`setting`]: what they have in common;
+//! * [`patch_spec`]: what they have in common;
 //! * [`header`]: what a patch tells without its payload;
 //! * [`bitpack`]: columns of whole numbers, packed;
 //! * [`planes`]: intensity and colour, packed;
@@ -24,8 +24,8 @@
 //! * [`cut`]: either, and the patches that come of it;
 //! * [`platform`]: patches of a moving platform as patches of one origin;
 //! * [`angular_grid`]: directions sorted into cells;
-//! * [`view`]: the decoded tile as a range image;
-//! * [`gather`]: patches from rows;
+//! * [`range_image`]: the decoded tile as a range image;
+//! * [`patch_builder`]: patches from rows;
 //! * [`edit`]: patches from patches.
 
 mod angular_grid;
@@ -37,26 +37,26 @@ mod content;
 mod cut;
 mod edit;
 mod encode;
-mod gather;
 mod halve;
 mod header;
 mod origins;
 mod patch;
+mod patch_builder;
+mod patch_spec;
 mod planes;
 mod platform;
-mod setting;
+mod range_image;
 mod tile;
-mod view;
 
 pub(crate) use angular_grid::AngularGrid;
 pub use beam::{Beam, MAX_BEAMS};
 pub use cone::Cone;
 pub use content::Content;
 pub use encode::check_count;
-pub use gather::{Gathered, Return};
 pub use header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M};
 pub use origins::Origins;
 pub use patch::Patch;
+pub use patch_builder::{PatchBuilder, Return};
+pub use patch_spec::PatchSpec;
 pub use platform::by_origin;
-pub use setting::Setting;
-pub use view::View;
+pub use range_image::RangeImage;

@@ -5,7 +5,7 @@ use super::content::Content;
 use super::encode::{NO_LEAD, check, describe, encode};
 use super::header::{Header, TY};
 use super::origins::Origins;
-use super::setting::Setting;
+use super::patch_spec::PatchSpec;
 use super::{bitpack, planes};
 use crate::NEVER;
 use crate::error::{Error, Result};
@@ -27,14 +27,14 @@ impl Patch {
     pub const QUANTUM_M: f64 = 1e-4;
 
     /// Packs beams with their attributes. Coordinates of returns are kept to half a quantum per axis.
-    pub fn pack(setting: &Setting, content: &Content) -> Result<Self> {
+    pub fn pack(setting: &PatchSpec, content: &Content) -> Result<Self> {
         let (header, payload) = encode(setting, content)?;
         Ok(Self { header, payload })
     }
 
     /// Packs beams that start at `origin`; `step` is the angle between neighbours, radians.
     pub fn encode(station: i64, origin: Vec3, step: f64, quantum: f64, beams: &[Beam]) -> Result<Self> {
-        let setting = Setting { origins: Origins::One, station, origin, step, quantum };
+        let setting = PatchSpec { origins: Origins::One, station, origin, step, quantum };
         Self::pack(&setting, &Content::of(beams.to_vec()))
     }
 
@@ -207,12 +207,12 @@ mod tests {
                 ..Content::of(readings.iter().map(|r| Beam { offset: vec(r.1), returned: r.4 }).collect())
             };
             let origin = Vec3::new(6e6, 6e6, 0.0);
-            let setting = Setting { origins: Origins::Each, station: -3, origin, step: 1e-3, quantum: 1e-4 };
+            let setting = PatchSpec { origins: Origins::Each, station: -3, origin, step: 1e-3, quantum: 1e-4 };
             let patch = Patch::pack(&setting, &content).unwrap();
             let bytes = patch.to_bytes();
             prop_assert_eq!(&Patch::from_bytes(&bytes).unwrap(), &patch);
             let (header, back) = Patch::content_of(&bytes).unwrap();
-            prop_assert_eq!(header.setting(), Setting { step: f64::from(1e-3f32), ..setting });
+            prop_assert_eq!(header.setting(), PatchSpec { step: f64::from(1e-3f32), ..setting });
             prop_assert_eq!((&back.intensity, &back.colour), (&content.intensity, &content.colour));
             for i in 0..content.len() {
                 prop_assert_eq!(content.beams[i].returned, back.beams[i].returned);
@@ -277,11 +277,11 @@ mod tests {
     #[test]
     fn planes_fit_their_beams() {
         let one = Beam { offset: Vec3::x(), returned: true };
-        let setting = Setting { origins: Origins::One, station: 0, origin: Vec3::zeros(), step: 1e-3, quantum: 1e-4 };
+        let setting = PatchSpec { origins: Origins::One, station: 0, origin: Vec3::zeros(), step: 1e-3, quantum: 1e-4 };
         let content = Content { intensity: Some(vec![1, 2]), ..Content::of(vec![one]) };
         assert!(Patch::pack(&setting, &content).is_err());
         // Starts and the kind of origin belong together.
-        assert!(Patch::pack(&Setting { origins: Origins::Each, ..setting }, &Content::of(vec![one])).is_err());
+        assert!(Patch::pack(&PatchSpec { origins: Origins::Each, ..setting }, &Content::of(vec![one])).is_err());
         let content = Content { starts: Some(vec![Vec3::zeros()]), ..Content::of(vec![one]) };
         assert!(Patch::pack(&setting, &content).is_err());
     }

@@ -7,7 +7,7 @@ use super::content::Content;
 use super::encode::describe;
 use super::header::Header;
 use super::origins::Origins;
-use super::setting::Setting;
+use super::patch_spec::PatchSpec;
 use super::tile::tiles;
 use crate::NEVER;
 use crate::error::Result;
@@ -25,7 +25,7 @@ pub fn by_origin(header: &Header, content: &Content) -> Result<Vec<(Header, Vec<
     let mut out = Vec::with_capacity(groups.len());
     for group in groups {
         let origin = header.origin + content.start(group[0] as usize);
-        let setting = Setting { origins: Origins::One, origin, ..header.setting() };
+        let setting = PatchSpec { origins: Origins::One, origin, ..header.setting() };
         let beams: Vec<Beam> = group.iter().map(|&i| content.beams[i as usize]).collect();
         for tile in tiles(&beams, NEVER)? {
             let own: Vec<Beam> = tile.iter().map(|&i| beams[i as usize]).collect();
@@ -51,7 +51,7 @@ mod tests {
             |i: i32| Beam { offset: Vec3::new(0.0, if i % 2 == 0 { 3.0 } else { -4.0 }, 0.2), returned: i % 9 != 0 };
         let content = Content { starts: Some(starts.clone()), ..Content::of((0..n).map(beam).collect()) };
         let origin = Vec3::new(6e6, 6e6, 100.0);
-        let setting = Setting { origins: Origins::Each, station: 4, origin, step: 0.01, quantum: 1e-4 };
+        let setting = PatchSpec { origins: Origins::Each, station: 4, origin, step: 0.01, quantum: 1e-4 };
         let bytes = Patch::pack(&setting, &content).unwrap().to_bytes();
         let (header, back) = Patch::beams_of(&bytes).unwrap();
         let groups = by_origin(&header, &back).unwrap();

@@ -14,7 +14,7 @@ const EXACT_TOLERANCE: f64 = 1e-8;
 const ROUNDING: f64 = 1e-8;
 /// In the check for a covariance a variance counts for no less than this fraction of the largest entry: anything below
 /// is what rounding left of propagation.
-const LEAST_SHARE: f64 = 1e-6;
+const MIN_SHARE: f64 = 1e-6;
 
 /// Checks that `m` is finite, symmetric and positive semi-definite (to rounding) and returns it exactly symmetric.
 pub fn checked<const N: usize>(what: &'static str, m: &SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>> {
@@ -54,7 +54,7 @@ pub fn settled<const N: usize>(m: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
 
 /// Standard deviations, none smaller than the fraction of the largest that rounding leaves.
 fn scale_of<const N: usize>(m: &SMatrix<f64, N, N>) -> SVector<f64, N> {
-    let floor = (LEAST_SHARE * m.amax()).max(f64::MIN_POSITIVE);
+    let floor = (MIN_SHARE * m.amax()).max(f64::MIN_POSITIVE);
     SVector::from_fn(|i, _| m[(i, i)].max(floor).sqrt())
 }
 

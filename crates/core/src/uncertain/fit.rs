@@ -7,7 +7,7 @@
 use nalgebra::{Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, Vector2, Vector3, Vector4};
 
 use super::covariance::propagate;
-use super::line::LEAST_LENGTH_M;
+use super::line::MIN_LENGTH_M;
 use super::{Line, Plane, Point, Stored};
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3, perpendiculars};
@@ -16,9 +16,9 @@ use crate::{Interrupt, poll_now_and_then};
 
 const ROUNDS: usize = 10;
 /// Standard deviation given to a point that is called exact among uncertain ones, metres.
-const LEAST_SD_M: f64 = 1e-6;
+const MIN_SD_M: f64 = 1e-6;
 /// The points must spread by this fraction of their length in a direction to determine a direction across it.
-const LEAST_SPREAD: f64 = 1e-6;
+const MIN_SPREAD: f64 = 1e-6;
 
 struct Start {
     centre: Vec3,
@@ -63,7 +63,7 @@ impl Start {
 /// The plane that fits best, its normal's largest component positive.
 pub fn plane(points: &[Point], interrupt: Interrupt) -> Result<Plane> {
     let start = Start::of(points, "the best-fit plane", 3, interrupt)?;
-    if start.spread[1] <= (LEAST_SPREAD * start.spread[0]).max(LEAST_LENGTH_M) {
+    if start.spread[1] <= (MIN_SPREAD * start.spread[0]).max(MIN_LENGTH_M) {
         let reason = "the points lie on one line".into();
         return Err(Error::Degenerate { what: "the best-fit plane", reason });
     }
@@ -76,7 +76,7 @@ pub fn plane(points: &[Point], interrupt: Interrupt) -> Result<Plane> {
             poll_now_and_then(i, interrupt)?;
             let d = p.position - c;
             let row = Vector3::new(d.dot(&r), d.dot(&s), -1.0);
-            let w = if start.exact { 1.0 } else { 1.0 / n.dot(&(p.covariance * n)).max(LEAST_SD_M.powi(2)) };
+            let w = if start.exact { 1.0 } else { 1.0 / n.dot(&(p.covariance * n)).max(MIN_SD_M.powi(2)) };
             normal_matrix += row * row.transpose() * w;
             right -= row * (w * d.dot(&n));
         }
@@ -105,7 +105,7 @@ pub fn plane(points: &[Point], interrupt: Interrupt) -> Result<Plane> {
 /// The line that fits best, from the foot of the first extreme point to that of the last, in the points' order.
 pub fn line(points: &[Point], interrupt: Interrupt) -> Result<Line> {
     let start = Start::of(points, "the best-fit line", 2, interrupt)?;
-    if start.spread[0] <= LEAST_LENGTH_M {
+    if start.spread[0] <= MIN_LENGTH_M {
         let reason = "the points lie in one place".into();
         return Err(Error::Degenerate { what: "the best-fit line", reason });
     }
@@ -179,7 +179,7 @@ fn observation(p: &Point, b: &SMatrix<f64, 3, 2>, t: f64, exact: bool) -> Result
     let mut row = SMatrix::<f64, 2, 4>::zeros();
     row.fixed_view_mut::<2, 2>(0, 0).fill_diagonal(1.0);
     row.fixed_view_mut::<2, 2>(0, 2).fill_diagonal(t);
-    let floor = Matrix2::identity() * LEAST_SD_M.powi(2);
+    let floor = Matrix2::identity() * MIN_SD_M.powi(2);
     let weight = match exact {
         true => Matrix2::identity(),
         false => inverted(&(b.transpose() * p.covariance * b + floor), "the best-fit line")?,

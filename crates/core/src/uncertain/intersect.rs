@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 use crate::geometry::Vec3;
 
 /// Least sine of the angle between planes, or between a line and a plane, that meet.
-const LEAST_SINE: f64 = 1e-8;
+const MIN_SINE: f64 = 1e-8;
 
 fn parallel(what: &'static str) -> Error {
     Error::Degenerate { what, reason: "they are parallel".into() }
@@ -18,7 +18,7 @@ fn parallel(what: &'static str) -> Error {
 /// are uncertain across the line only.
 pub fn planes(p: &Plane, q: &Plane) -> Result<Line> {
     let along = p.normal.cross(&q.normal);
-    if along.norm() <= LEAST_SINE {
+    if along.norm() <= MIN_SINE {
         return Err(parallel("the line of two planes"));
     }
     let direction = along.normalize();
@@ -48,7 +48,7 @@ pub fn planes(p: &Plane, q: &Plane) -> Result<Line> {
 /// The point in which three planes meet.
 pub fn three_planes(planes: [&Plane; 3]) -> Result<Point> {
     let normals = Matrix3::from_rows(&planes.map(|p| p.normal.transpose()));
-    let inverse = normals.try_inverse().filter(|_| normals.determinant().abs() > LEAST_SINE);
+    let inverse = normals.try_inverse().filter(|_| normals.determinant().abs() > MIN_SINE);
     let Some(inverse) = inverse else {
         let reason = "they share a direction".into();
         return Err(Error::Degenerate { what: "the point of three planes", reason });
@@ -67,7 +67,7 @@ pub fn three_planes(planes: [&Plane; 3]) -> Result<Point> {
 pub fn line_plane(line: &Line, plane: &Plane) -> Result<Point> {
     let span = line.span();
     let slope = plane.normal.dot(&span);
-    if slope.abs() <= LEAST_SINE * span.norm() {
+    if slope.abs() <= MIN_SINE * span.norm() {
         return Err(parallel("the point of a line and a plane"));
     }
     let t = -plane.height(&line.start) / slope;

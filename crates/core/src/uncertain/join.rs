@@ -3,13 +3,13 @@
 use nalgebra::{Matrix3, Matrix6, SMatrix};
 
 use super::covariance::propagate;
-use super::line::LEAST_LENGTH_M;
+use super::line::MIN_LENGTH_M;
 use super::{Line, Plane, Point, Stored};
 use crate::error::{Error, Result};
 use crate::geometry::Vec3;
 
 /// Least sine of the angle between two sides of a triangle that determines a plane.
-const LEAST_SINE: f64 = 1e-8;
+const MIN_SINE: f64 = 1e-8;
 
 /// The line from one point to the other.
 pub fn line_through(a: &Point, b: &Point) -> Result<Line> {
@@ -39,8 +39,7 @@ pub fn plane_through_line(line: &Line, point: &Point) -> Result<Plane> {
 fn through_three([a, b, c]: [Vec3; 3], joint: &SMatrix<f64, 9, 9>) -> Result<Plane> {
     let (ab, ac) = (b - a, c - a);
     let m = ab.cross(&ac);
-    if m.norm() <= LEAST_SINE * ab.norm() * ac.norm() || (c - b).norm().min(ab.norm()).min(ac.norm()) <= LEAST_LENGTH_M
-    {
+    if m.norm() <= MIN_SINE * ab.norm() * ac.norm() || (c - b).norm().min(ab.norm()).min(ac.norm()) <= MIN_LENGTH_M {
         let reason = "the three points lie on one line".into();
         return Err(Error::Degenerate { what: "the plane", reason });
     }

@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3, check_coordinates};
 
 /// Points nearer than this do not determine a direction, metres: the rounding of projected coordinates.
-pub(super) const LEAST_LENGTH_M: f64 = 1e-8;
+pub(super) const MIN_LENGTH_M: f64 = 1e-8;
 
 /// Two end points, metres, and their joint covariance, m².
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +31,7 @@ impl Line {
 
     /// The same line, unless its ends coincide.
     pub(super) fn with_length(self) -> Result<Self> {
-        if self.span().norm() > LEAST_LENGTH_M {
+        if self.span().norm() > MIN_LENGTH_M {
             return Ok(self);
         }
         let reason = format!("its end points are {:e} m apart", self.span().norm());

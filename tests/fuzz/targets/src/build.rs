@@ -2,7 +2,7 @@
 
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, SurfaceKind, Vec3};
-use asbuilt_core::scan::{Beam, Content, Gathered, Origins, Patch, Return, Setting};
+use asbuilt_core::scan::{Beam, Content, Origins, Patch, PatchBuilder, PatchSpec, Return};
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind};
 use asbuilt_core::voxel::{Change, Grid, Mask, Occupancy, Rule, Settings};
 
@@ -21,7 +21,7 @@ pub fn patch(data: &[u8]) {
 fn packed(input: &mut Input) -> Option<Patch> {
     let flags = input.byte();
     let origins = [Origins::One, Origins::Each, Origins::Unknown][usize::from(flags % 3)];
-    let setting = Setting {
+    let setting = PatchSpec {
         origins,
         station: i64::from(input.byte()),
         origin: Vec3::from(input.vector()),
@@ -96,8 +96,8 @@ fn wall(n: u32) -> Patch {
     Patch::encode(7, Vec3::new(1.0, 2.0, 3.0), 0.004, 1e-4, &(0..n).map(beam).collect::<Vec<_>>()).unwrap()
 }
 
-fn rows(n: u32) -> Gathered {
-    let mut g = Gathered::default();
+fn rows(n: u32) -> PatchBuilder {
+    let mut g = PatchBuilder::default();
     for i in 0..n {
         let point = Vec3::new(5.0, f64::from(i) * 0.01, 0.0);
         g.push(3, &Return { point, origin: Some(Vec3::zeros()), intensity: Some(9), colour: None }, NEVER).unwrap();

@@ -2,7 +2,7 @@
 
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::scan::{Gathered, Patch};
+use asbuilt_core::scan::{Patch, PatchBuilder};
 use asbuilt_core::verify::{Evidence, EvidenceModel, VerdictRule};
 
 use crate::bounded;
@@ -32,9 +32,9 @@ pub fn edits(bytes: &[u8]) {
 }
 
 pub fn gathered(data: &[u8]) {
-    let Ok(g) = bounded(|i| Gathered::from_bytes(data, i)) else { return };
+    let Ok(g) = bounded(|i| PatchBuilder::from_bytes(data, i)) else { return };
     let bytes = g.to_bytes(NEVER).unwrap();
-    let again = Gathered::from_bytes(&bytes, NEVER).and_then(|g| g.to_bytes(NEVER));
+    let again = PatchBuilder::from_bytes(&bytes, NEVER).and_then(|g| g.to_bytes(NEVER));
     assert_eq!(again.ok(), Some(bytes), "rows changed through their bytes");
     let mut twice = g.clone();
     let _ = twice.merge(&g, NEVER);

@@ -7,7 +7,7 @@ use ifc_lite_core::EntityIndex;
 use super::step::{Described, described};
 
 /// Most records that are searched, and how deeply they may be nested.
-const MOST: usize = 2000;
+const MAX_VISITED: usize = 2000;
 const DEEPEST: usize = 64;
 
 /// A file's records.
@@ -34,7 +34,7 @@ impl Search<'_> {
         if self.path.contains(&id) {
             return Some(format!("{} is made of itself", self.shown(id)));
         }
-        if !self.seen.insert(id) || self.seen.len() > MOST || self.path.len() > DEEPEST {
+        if !self.seen.insert(id) || self.seen.len() > MAX_VISITED || self.path.len() > DEEPEST {
             return None;
         }
         let Some(record) = self.described(id) else {

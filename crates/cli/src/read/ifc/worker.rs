@@ -93,7 +93,7 @@ pub(super) fn tell(
     let rest: Vec<u32> = with_body.into_iter().filter(|id| !skipped.contains(id)).collect();
     let mut times = (Duration::ZERO, Duration::ZERO);
     for (ids, threads) in [(task.alone.clone(), 1), (rest, threads(limits.memory))] {
-        let mut crew = Crew::new(&cutter, ids, limits);
+        let mut crew = WorkerPool::new(&cutter, ids, limits);
         crew.run(threads, &notes, &mut times, out).map_err(|e| e.to_string())?;
     }
     Told::End { meshing: times.0, checks: times.1 }.write(out).map_err(|e| e.to_string())
@@ -115,7 +115,7 @@ enum Report {
 }
 
 /// Threads that share a queue of products.
-struct Crew {
+struct WorkerPool {
     cutter: Arc<Cutter>,
     queue: Arc<Mutex<VecDeque<u32>>>,
     limits: WorkerLimits,
@@ -127,7 +127,7 @@ struct Crew {
     lost: HashSet<u32>,
 }
 
-impl Crew {
+impl WorkerPool {
     fn new(cutter: &Arc<Cutter>, ids: Vec<u32>, limits: WorkerLimits) -> Self {
         Self {
             cutter: cutter.clone(),

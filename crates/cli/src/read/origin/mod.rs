@@ -43,7 +43,7 @@ const REMOTE: f64 = 3.0;
 /// The extent counts as at least this, metres: a single object may be scanned from some way off.
 const NARROW_M: f64 = 10.0;
 /// Most returns that are examined for this.
-const MOST_COMPARED: usize = 10_000;
+const MAX_COMPARED: usize = 10_000;
 
 /// The scan as far as it can be believed: without origin where no scanner can have stood there.
 pub fn judged(scan: RawScan, options: &ReadOptions) -> RawScan {
@@ -114,7 +114,7 @@ fn without_far(mut scan: RawScan) -> RawScan {
 /// Points without origin, except for the few that are impossibly far from all others; they are relative to the median
 /// point.
 fn without_strays(mut scan: RawScan) -> RawScan {
-    let every = scan.content.len().div_ceil(MOST_COMPARED).max(1);
+    let every = scan.content.len().div_ceil(MAX_COMPARED).max(1);
     let middle = [0, 1, 2].map(|k| {
         let mut along: Vec<f64> = scan.content.beams.iter().step_by(every).map(|b| b.offset[k]).collect();
         let half = along.len() / 2;
@@ -149,7 +149,7 @@ fn points(mut scan: RawScan, why: String) -> RawScan {
 fn is_remote(beams: &[Beam]) -> bool {
     // Strays on either side do not count.
     const STRAYS: f64 = 0.02;
-    let every = beams.iter().filter(|b| b.returned).count().div_ceil(MOST_COMPARED).max(1);
+    let every = beams.iter().filter(|b| b.returned).count().div_ceil(MAX_COMPARED).max(1);
     let some: Vec<Vec3> = beams.iter().filter(|b| b.returned).step_by(every).map(|b| b.offset).collect();
     let part = |values: &mut Vec<f64>, part: f64| {
         let at = (part * (values.len() - 1) as f64).round() as usize;

@@ -30,7 +30,7 @@ const OF_WINDOW: usize = 1000;
 const TRIED: usize = 2000;
 const NEIGHBOURS: usize = 16;
 /// With fewer beams nothing can be told.
-const LEAST: u32 = 100;
+const MIN_BEAMS: u32 = 100;
 /// Where a smaller share passes among returns close together, the sample, which costs four times as much, is not
 /// examined.
 const DOUBTFUL: f64 = 0.01;
@@ -61,7 +61,7 @@ impl KdPoint for Direction {
 }
 
 pub fn passing(beams: &[Beam]) -> Passing {
-    if beams.len() as u64 <= u64::from(LEAST) {
+    if beams.len() as u64 <= u64::from(MIN_BEAMS) {
         return Passing::Unknown;
     }
     if are_echoes(beams) {
@@ -73,7 +73,7 @@ pub fn passing(beams: &[Beam]) -> Passing {
     }
     let sample = scattered(beams.len(), COMPARED).filter_map(|i| direction(&beams[i])).collect();
     let sample = tally(thinned(sample, COPY_M));
-    if sample.close.max(windows.close) < LEAST {
+    if sample.close.max(windows.close) < MIN_BEAMS {
         return Passing::Unknown;
     }
     Passing::Shares { overall: share(sample.passing, sample.counted), close: windows.share_close() }
@@ -95,7 +95,7 @@ impl Tally {
 }
 
 fn share(passing: u32, of: u32) -> f64 {
-    if of < LEAST { 0.0 } else { f64::from(passing) / f64::from(of) }
+    if of < MIN_BEAMS { 0.0 } else { f64::from(passing) / f64::from(of) }
 }
 
 fn tally(some: Vec<Direction>) -> Tally {

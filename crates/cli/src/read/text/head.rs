@@ -11,7 +11,7 @@ use crate::read::ReadOptions;
 use crate::read::unit::{Unit, check};
 
 /// Lines before the first point that are taken for titles.
-const MOST_TITLES: usize = 50;
+const MAX_TITLES: usize = 50;
 /// Lines by which separators, commas and columns are judged.
 const SAMPLE: usize = 1000;
 
@@ -53,7 +53,7 @@ impl Head {
             } else {
                 head.naming.push(line.clone());
                 head.titles.push(line);
-                if head.titles.len() > MOST_TITLES {
+                if head.titles.len() > MAX_TITLES {
                     break;
                 }
             }

@@ -2,7 +2,7 @@
 
 use super::crossing::Crossing;
 use super::target::Target;
-use crate::scan::View;
+use crate::scan::RangeImage;
 
 /// What is met within this of where an object is drawn may be it, metres.
 const MAX_CLAIM_M: f32 = 0.1;
@@ -29,7 +29,7 @@ impl Claims {
     }
 
     /// Claims for `object` the beams that met something near where it is drawn.
-    pub fn stake_all(&mut self, view: &View, target: &Target, crossings: &[Crossing], object: u32) {
+    pub fn stake_all(&mut self, view: &RangeImage, target: &Target, crossings: &[Crossing], object: u32) {
         for crossing in crossings {
             let slot = crossing.slot as usize;
             let cos = -view.directions[slot].dot(&crossing.normal(target));

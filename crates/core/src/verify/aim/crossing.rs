@@ -8,7 +8,7 @@
 use super::target::Target;
 use super::triangle::Triangle;
 use crate::geometry::Vec3;
-use crate::scan::View;
+use crate::scan::RangeImage;
 use crate::{Interrupt, Result, poll};
 
 /// Where one beam crosses the solid first.
@@ -45,7 +45,7 @@ struct Nearest {
 }
 
 /// The first crossing of every beam that crosses within `reach` metres of the origin, by slot.
-pub fn crossings(target: &Target, view: &View, reach: f64, interrupt: Interrupt) -> Result<Vec<Crossing>> {
+pub fn crossings(target: &Target, view: &RangeImage, reach: f64, interrupt: Interrupt) -> Result<Vec<Crossing>> {
     let origin = view.header.origin;
     let concerns = |centre_world: &Vec3, radius: f64| {
         let centre_scanner = centre_world - origin;
@@ -85,7 +85,7 @@ impl Nearest {
     }
 
     /// Takes the beams for which triangle `t` is nearer than all before.
-    fn cross(&mut self, target: &Target, t: usize, view: &View, reach: f64) {
+    fn cross(&mut self, target: &Target, t: usize, view: &RangeImage, reach: f64) {
         let triangle = &target.triangles[t];
         let corners_scanner = triangle.corners.map(|p| p - view.header.origin);
         let [a, b, c] = &corners_scanner;
@@ -119,7 +119,7 @@ impl Nearest {
 
 /// The rectangle in the image around what has these corners (from the scanner, metres); the whole image when one is
 /// beside or behind it.
-pub fn image_rectangle(view: &View, corners_scanner: &[Vec3]) -> ([f64; 2], [f64; 2]) {
+pub fn image_rectangle(view: &RangeImage, corners_scanner: &[Vec3]) -> ([f64; 2], [f64; 2]) {
     let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     for corner in corners_scanner {
         let Some(uv) = view.project(corner) else {
@@ -182,7 +182,7 @@ mod tests {
                 .collect();
             let bytes = Patch::encode(0, origin, 2e-2, 1e-4, &beams).unwrap().to_bytes();
             let (header, content) = Patch::beams_of(&bytes).unwrap();
-            let view = View::new(header, &content.beams);
+            let view = RangeImage::new(header, &content.beams);
             let got = crossings(&Target::new(solid, NEVER).unwrap(), &view, f64::INFINITY, NEVER).unwrap();
             for slot in 0..view.len() {
                 let want = first_hit(solid, &origin, &view.directions[slot]);

@@ -3,7 +3,7 @@
 use super::crossing::Crossing;
 use crate::Result;
 use crate::geometry::Vec3;
-use crate::scan::{Header, Origins, Patch, View, by_origin};
+use crate::scan::{Header, Origins, Patch, RangeImage, by_origin};
 
 /// A patch made ready for any number of objects.
 #[derive(Debug)]
@@ -14,8 +14,8 @@ pub struct Unpacked {
 
 #[derive(Debug)]
 pub enum Beams {
-    FromOne(Box<View>),
-    FromMany(Vec<View>),
+    FromOne(Box<RangeImage>),
+    FromMany(Vec<RangeImage>),
     /// Relative to the header's origin, metres.
     Points(Vec<Vec3>),
 }
@@ -33,11 +33,11 @@ impl Unpacked {
         let beams = match header.origins() {
             Origins::One => {
                 let intensities = content.intensity.as_deref();
-                Beams::FromOne(Box::new(View::with_intensities(header.clone(), &content.beams, intensities)))
+                Beams::FromOne(Box::new(RangeImage::with_intensities(header.clone(), &content.beams, intensities)))
             }
             Origins::Each => {
                 let by_place = by_origin(&header, &content)?;
-                Beams::FromMany(by_place.into_iter().map(|(header, beams)| View::new(header, &beams)).collect())
+                Beams::FromMany(by_place.into_iter().map(|(header, beams)| RangeImage::new(header, &beams)).collect())
             }
             Origins::Unknown => Beams::Points(content.beams.iter().filter(|b| b.returned).map(|b| b.offset).collect()),
         };

@@ -2,7 +2,7 @@
 
 use super::point_index::PointIndex;
 use crate::geometry::{Solid, Vec3};
-use crate::scan::{Header, Origins, View};
+use crate::scan::{Header, Origins, RangeImage};
 use crate::verify::aim::{Aim, AimedAt, Beams, Claims, Crossing, OtherObjects, Target, Unpacked, crossings};
 use crate::verify::evidence::{BLOCK, Block, Evidence, Place, Samples};
 use crate::verify::model::{BeamModel, BeamOutcome, EvidenceModel, KERNEL_SPACINGS, Sums, with_model};
@@ -149,7 +149,7 @@ impl Collector {
     /// `keep` may take back some of what the beams met.
     pub(super) fn absorb_view<M: BeamModel>(
         &mut self,
-        view: &View,
+        view: &RangeImage,
         place: Place,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
         interrupt: Interrupt,
@@ -164,7 +164,7 @@ impl Collector {
 
     fn absorb_crossings<M: BeamModel>(
         &mut self,
-        view: &View,
+        view: &RangeImage,
         crossings: &[Crossing],
         place: Place,
         others: Option<OtherObjects<'_>>,
@@ -182,7 +182,7 @@ impl Collector {
     /// Adds the beams of a view to every sample that they may concern.
     fn gather<M: BeamModel>(
         &mut self,
-        view: &View,
+        view: &RangeImage,
         place: Place,
         beams: &M::Beams<'_>,
         interrupt: Interrupt,

@@ -5,7 +5,7 @@ use nalgebra::Matrix3;
 use super::collector::Collector;
 use super::point_index::{LocalPoint, PointIndex};
 use crate::geometry::{Aabb, Vec3};
-use crate::scan::{Beam, Header, Patch, View};
+use crate::scan::{Beam, Header, Patch, RangeImage};
 use crate::uncertain::Point;
 use crate::verify::aim::{Crossing, OtherObjects, image_rectangle};
 use crate::verify::evidence::{Evidence, Place, Samples};
@@ -40,7 +40,7 @@ impl Collector {
             let step = (spacing / beam.offset.norm().max(spacing)).max(1e-7);
             let patch = Patch::encode(TIE_POINTS, *camera, step, Patch::QUANTUM_M, &[beam])?;
             if self.concerns(patch.header()) {
-                let view = View::new(patch.header().clone(), &[beam]);
+                let view = RangeImage::new(patch.header().clone(), &[beam]);
                 // Only what a ray passed through: its end was added above.
                 let seen_through = |outcome| match outcome {
                     BeamOutcome::SeenThrough { weight } => Some(BeamOutcome::SeenThrough { weight: weight * share }),
@@ -91,7 +91,7 @@ impl Collector {
     /// Adds the returns beside a slim solid that no other object explains: each counts for the face nearest to it.
     pub(super) fn absorb_beside<M: BeamModel>(
         &mut self,
-        view: &View,
+        view: &RangeImage,
         crossings: &[Crossing],
         others: OtherObjects<'_>,
         interrupt: Interrupt,
@@ -128,7 +128,7 @@ impl Collector {
 }
 
 /// What a beam met within the box around an object without being aimed at it.
-fn met_beside(view: &View, slot: usize, crossings: &[Crossing], around: &Aabb) -> Option<Vec3> {
+fn met_beside(view: &RangeImage, slot: usize, crossings: &[Crossing], around: &Aabb) -> Option<Vec3> {
     let met_world = view.directions[slot] * view.ranges[slot] + view.header.origin;
     let is_aimed = || crossings.binary_search_by_key(&slot, |c| c.slot as usize).is_ok();
     let is_beside = !view.ranges[slot].is_infinite() && around.holds(&met_world) && !is_aimed();

@@ -8,7 +8,7 @@ use super::statement::Statement;
 use super::sums::Sums;
 use super::touch::PointTouch;
 use crate::geometry::Vec3;
-use crate::scan::View;
+use crate::scan::RangeImage;
 use crate::verify::aim::AimedAt;
 
 /// How beams become sums at the samples of an object, and what a station's sums state. Chosen once a patch by
@@ -33,7 +33,7 @@ pub trait BeamModel {
 
     /// Makes a patch's beams ready; `None` if none of them tells anything. `keep` may take back some of it.
     fn beams<'v>(
-        view: &'v View,
+        view: &'v RangeImage,
         aimed: &AimedAt<'_>,
         model: &'v EvidenceModel,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,

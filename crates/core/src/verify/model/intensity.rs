@@ -13,7 +13,7 @@ pub struct IntensityNoise {
 }
 
 /// No beam is worth less than this part of a bright one.
-const LEAST_SHARE: f32 = 1.0 / 64.0;
+const MIN_SHARE: f32 = 1.0 / 64.0;
 
 impl IntensityNoise {
     /// Checks the range of both.
@@ -36,7 +36,7 @@ impl IntensityNoise {
     /// What a beam of this intensity is worth beside one of the reference: the ratio of the variances.
     pub fn share(&self, intensity: u16) -> f32 {
         let ratio = f32::from(intensity) / f32::from(self.reference);
-        if ratio >= 1.0 { 1.0 } else { ratio.powf(self.exponent() as f32).max(LEAST_SHARE) }
+        if ratio >= 1.0 { 1.0 } else { ratio.powf(self.exponent() as f32).max(MIN_SHARE) }
     }
 
     /// For the upper three bytes of the model's word; 0 is none.
@@ -57,7 +57,7 @@ mod tests {
     #[test]
     fn dark_beams_weigh_less_and_it_survives_packing() {
         let n = IntensityNoise::new(1000, 1.0).unwrap();
-        assert_eq!((n.share(5000), n.share(1000), n.share(500), n.share(0)), (1.0, 1.0, 0.5, LEAST_SHARE));
+        assert_eq!((n.share(5000), n.share(1000), n.share(500), n.share(0)), (1.0, 1.0, 0.5, MIN_SHARE));
         assert_eq!(IntensityNoise::unpacked(IntensityNoise::packed(Some(n)) | 1), Some(n));
         assert_eq!(IntensityNoise::unpacked(1), None);
         for (reference, exponent) in [(0, 1.0), (70_000, 1.0), (-1, 1.0), (10, 0.0), (10, 5.0), (10, f64::NAN)] {

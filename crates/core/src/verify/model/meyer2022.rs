@@ -9,13 +9,13 @@ use super::sums::Sums;
 use super::touch::PointTouch;
 use crate::evidence::{LogCommonality, Mass};
 use crate::geometry::Vec3;
-use crate::scan::View;
+use crate::scan::RangeImage;
 use crate::verify::aim::AimedAt;
 
 /// Fixed-point unit of a logarithm, 2⁻⁴⁴: 6e-14, with room for half a million.
 const LOGARITHM: f64 = (1u64 << 44) as f64;
 /// Beams whose mass is nowhere above this are left out.
-const LEAST_MASS: f64 = 1e-13;
+const MIN_MASS: f64 = 1e-13;
 /// A sample is seen when this much of its mass is committed: the kernel is narrow, and belief rarely comes near the
 /// confidence.
 const SEEN_BY_RAYS: f64 = 0.5;
@@ -27,7 +27,7 @@ pub struct Meyer2022;
 /// The beams of a view; each tells of all places along it.
 #[derive(Debug)]
 pub struct RayBeams<'v> {
-    view: &'v View,
+    view: &'v RangeImage,
     model: &'v EvidenceModel,
 }
 
@@ -69,11 +69,11 @@ impl BeamModel for Meyer2022 {
 
     /// Distance across a beam within which its mass is anything.
     fn kernel_radius(model: &EvidenceModel) -> f64 {
-        model.ray_model().reach(LEAST_MASS)
+        model.ray_model().reach(MIN_MASS)
     }
 
     fn beams<'v>(
-        view: &'v View,
+        view: &'v RangeImage,
         _: &AimedAt<'_>,
         model: &'v EvidenceModel,
         _: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
@@ -133,7 +133,7 @@ impl BeamModel for Meyer2022 {
 
 /// Adds one source's mass, unless it says next to nothing.
 fn add_mass(mass: &Mass, sums: &mut Sums) {
-    if mass.unknown < 1.0 - LEAST_MASS {
+    if mass.unknown < 1.0 - MIN_MASS {
         sums.add_beam(RaySums::beam(&mass.log_commonality()).parts());
     }
 }
@@ -158,7 +158,7 @@ mod tests {
             .collect();
         let bytes = Patch::encode(0, Vec3::zeros(), 2e-3, 1e-4, &beams).unwrap().to_bytes();
         let (header, content) = Patch::beams_of(&bytes).unwrap();
-        let view = View::new(header, &content.beams);
+        let view = RangeImage::new(header, &content.beams);
         let model = EvidenceModel::default();
         for query in [Vec3::new(4.998, 0.012, 0.007), Vec3::new(4.95, 0.0, 0.0), Vec3::new(5.02, 0.01, 0.01)] {
             let mut sums = Sums::default();

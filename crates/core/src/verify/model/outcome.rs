@@ -4,7 +4,7 @@ use super::ownership::{Ownership, ownership, three_sigma};
 use super::parameters::EvidenceModel;
 use super::surface_sums::DEVIATION;
 use crate::geometry::{BLUNT_EDGE_COS, Vec3};
-use crate::scan::{AngularGrid, View};
+use crate::scan::{AngularGrid, RangeImage};
 use crate::verify::aim::{AimedAt, Crossing, Foot, foot};
 
 /// What one beam met.
@@ -42,7 +42,7 @@ impl BeamOutcomes {
     /// Classifies every beam of the view against its crossing; `None` if none tells anything. `keep` may take back
     /// some of it.
     pub fn of(
-        view: &View,
+        view: &RangeImage,
         aimed: &AimedAt<'_>,
         model: &EvidenceModel,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
@@ -87,7 +87,7 @@ impl BeamOutcomes {
 
 /// What decides about the beams of one view.
 struct Classifier<'a> {
-    view: &'a View,
+    view: &'a RangeImage,
     aimed: &'a AimedAt<'a>,
     model: &'a EvidenceModel,
     /// Of the steepest admitted incidence.

@@ -14,7 +14,7 @@ use super::sums::Sums;
 use super::surface_sums::{DEVIATION, SurfaceReading, SurfaceSums};
 use super::touch::PointTouch;
 use crate::geometry::Vec3;
-use crate::scan::View;
+use crate::scan::RangeImage;
 use crate::verify::aim::AimedAt;
 
 /// Beams on one surface scatter by this much beyond their noise at the most: plaster, a slope between them, metres.
@@ -27,7 +27,7 @@ pub struct Surface;
 /// The beams of a view, by what they met.
 #[derive(Debug)]
 pub struct SurfaceBeams<'v> {
-    view: &'v View,
+    view: &'v RangeImage,
     met: BeamOutcomes,
     /// Of the steepest admitted incidence.
     min_cos: f64,
@@ -51,7 +51,7 @@ impl BeamModel for Surface {
     }
 
     fn beams<'v>(
-        view: &'v View,
+        view: &'v RangeImage,
         aimed: &AimedAt<'_>,
         model: &'v EvidenceModel,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,

@@ -10,8 +10,9 @@ pub const TERMS: usize = 9;
 /// One number a term.
 pub type Row = SVector<f64, TERMS>;
 
-/// With fewer samples than these a bend is not told from noise, with fewer than those no tilt.
+/// With fewer samples a bend is not told from noise.
 const MIN_BENT: usize = 40;
+/// With fewer samples a tilt is not told from noise.
 const MIN_TILTED: usize = 8;
 /// A surface is curved when its facets turn by more than about 15° from their mean: largest eigenvalue of their
 /// normals.

@@ -12,8 +12,9 @@ use crate::verify::evidence::{Evidence, Place, Station};
 use crate::verify::model::{Sums, SurfaceReading, independence};
 use crate::{Interrupt, Result, poll};
 
-/// Points used at the most, and samples of the drawn surface: enough to average noise away, few enough to be quick.
+/// Points of the built surface used at the most: enough to average noise away, few enough to be quick.
 const MAX_POINTS: usize = 6_000;
+/// Samples of the drawn surface used at the most.
 const MAX_SAMPLES: usize = 60_000;
 /// Fewer points than this cannot improve on the faces' own offsets.
 const MIN_POINTS: usize = 50;

@@ -52,14 +52,14 @@ pub struct Observations {
 impl Observations {
     /// Reads every sample once.
     pub fn of(e: &Evidence, model: &EvidenceModel, interrupt: Interrupt) -> Result<Self> {
-        let mut gathered = Gathered::new(e, model);
+        let mut gathered = PatchBuilder::new(e, model);
         for (b, block) in e.samples.blocks.iter().enumerate() {
             if b % 16 == 0 {
                 poll(interrupt)?;
             }
             gathered.add_block(b, block, interrupt)?;
         }
-        let Gathered { seen, stations_of_face, in_front_unseen, bodies, beliefs, .. } = gathered;
+        let PatchBuilder { seen, stations_of_face, in_front_unseen, bodies, beliefs, .. } = gathered;
         let surface_of_face = &e.samples.surface_of_face;
         let seen = ordered(seen, surface_of_face, interrupt)?;
         let (surfaces, faces) = runs(&seen, surface_of_face);
@@ -88,7 +88,7 @@ impl Observations {
 }
 
 /// What was read so far, in the order of the samples.
-struct Gathered<'a> {
+struct PatchBuilder<'a> {
     evidence: &'a Evidence,
     model: &'a EvidenceModel,
     reading: SampleReading,
@@ -99,7 +99,7 @@ struct Gathered<'a> {
     beliefs: Vec<LogCommonality>,
 }
 
-impl<'a> Gathered<'a> {
+impl<'a> PatchBuilder<'a> {
     fn new(evidence: &'a Evidence, model: &'a EvidenceModel) -> Self {
         Self {
             evidence,

@@ -14,10 +14,11 @@ use crate::{Interrupt, Result, poll_now_and_then};
 /// Share of a surface's seen samples that must follow one trend for that trend to be the built surface, of those that
 /// nothing in front of it hides.
 const MAJORITY: f64 = 0.5;
-/// The same, of all.
+/// Share of all of a surface's seen samples that must follow one trend for that trend to be the built surface.
 const MIN_SHARE: f64 = 0.2;
 /// A sample follows the trend within so many σ, of its own or of all; but no farther off than [`MAX_ROUGHNESS_M`].
 const AGREES_SIGMAS: f64 = 3.0;
+/// Samples that are no farther off follow the trend, however precise they are, metres.
 const MIN_ROUGHNESS_M: f64 = 0.001;
 /// Where the neighbours are not known, a surface that was met in front of the drawn one is the built one only if this
 /// share of it was seen: of an edge that a neighbour covers, a strip beside the neighbour's end is.

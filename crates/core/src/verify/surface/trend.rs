@@ -15,6 +15,7 @@ use crate::{Interrupt, Result, poll, poll_now_and_then};
 /// Steepest slope of a built face against the drawn one, about 5°. What lies steeper before a face is another
 /// surface that hides it: the wall it abuts on, a cupboard seen from the side.
 const MAX_SLOPE: f64 = 0.087;
+/// Rounds of the biweight.
 const ROUNDS: usize = 8;
 /// Planes tried through three samples each; with 40 % of the samples elsewhere, all but one in 10⁵ runs hit a good one.
 const TRIALS: u64 = 48;

@@ -15,8 +15,9 @@ pub const MIN_DECIDED: f64 = 0.2;
 /// Least share of the seen samples that must speak for the object before it is confirmed, where its surface as a whole
 /// is not known.
 pub const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
-/// A surface counts as well seen with this share of the object's samples that have one, and as many samples.
+/// A surface counts as well seen with this share of the object's samples that have one.
 pub const WELL_SEEN_SHARE: f64 = 0.03;
+/// It must have at least as many.
 pub const WELL_SEEN_SAMPLES: u64 = 10;
 /// Least share of a surface that must keep the tolerance before it counts as displaced, unless more is asked: a ceiling
 /// of which a corner sags is still where it was drawn. [`Summary::best_loa`](super::Summary::best_loa) asks for 95 %.

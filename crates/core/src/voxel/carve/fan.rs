@@ -21,9 +21,9 @@ use crate::num::whole::{ceil, floor};
 const CELL: f64 = 1.5;
 /// Part of a cell that a ray at the border stands for: half a step.
 const HALF_STEP: f64 = 0.5 / CELL;
-/// So far from their origin, voxels along the axis, voxels are wider than all rays together, and one ray in sixteen is
-/// drawn.
+/// So far from their origin, voxels along the axis, voxels are wider than all rays together.
 const NEAR: f64 = 2.0;
+/// There, one ray in so many is drawn.
 const DRAWN_NEAR: usize = 16;
 /// Most cells without rays amid others, as a part of those that have some.
 const MAX_HOLES: f64 = 0.25;

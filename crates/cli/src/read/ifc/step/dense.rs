@@ -25,7 +25,7 @@ const LONGEST: f64 = 0.10;
 const OFF_M: f64 = 2e-4;
 const OFF_OF_OPENINGS_M: f64 = 2e-3;
 /// Profiles of more points than this are left alone.
-const MOST_POINTS: usize = 4096;
+const MAX_POINTS: usize = 4096;
 
 const KINDS: [&str; 2] = ["IFCARBITRARYCLOSEDPROFILEDEF", "IFCARBITRARYPROFILEDEFWITHVOIDS"];
 
@@ -96,7 +96,7 @@ pub fn boundary(document: &Document, library: &mut Library, id: u64) -> Option<B
     if points.len() > 1 && points.first() == points.last() {
         points.pop();
     }
-    let is_sound = points.len() >= 3 && points.len() <= MOST_POINTS && points.iter().flatten().all(|c| c.is_finite());
+    let is_sound = points.len() >= 3 && points.len() <= MAX_POINTS && points.iter().flatten().all(|c| c.is_finite());
     is_sound.then_some(points)
 }
 

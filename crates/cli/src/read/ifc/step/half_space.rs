@@ -16,7 +16,7 @@ use super::value::{Value, real};
 /// its kernel when written out.
 const STEEP_COS: f64 = 0.414;
 /// A file whose half spaces need more records than this to be examined keeps the rest as they are.
-const MOST_RECORDS: usize = 1 << 24;
+const MAX_RECORDS: usize = 1 << 24;
 
 type Vector = [f64; 3];
 
@@ -171,7 +171,7 @@ impl<'a> Reach<'a> {
                 hosts.entry(cutter).or_default().push(host);
             }
         }
-        Self { document, hosts, left: MOST_RECORDS }
+        Self { document, hosts, left: MAX_RECORDS }
     }
 
     /// The sum of the largest coordinates in each kind of record that they are made of: points, and what moves them.

@@ -6,7 +6,7 @@ use super::value::Value;
 
 /// Deepest nesting of a curve, and most points.
 const MAX_DEPTH: usize = 16;
-const MOST_POINTS: usize = 1 << 16;
+const MAX_POINTS: usize = 1 << 16;
 
 #[derive(Debug)]
 pub struct Line {
@@ -41,7 +41,7 @@ pub fn nested(document: &Document, id: u64, depth: usize) -> Option<Line> {
     } else {
         return None;
     };
-    Some(line).filter(|l| l.points.len() <= MOST_POINTS && are_of_one_kind(&l.points))
+    Some(line).filter(|l| l.points.len() <= MAX_POINTS && are_of_one_kind(&l.points))
 }
 
 fn are_of_one_kind(points: &[Vec<f64>]) -> bool {
@@ -79,7 +79,7 @@ fn composed(document: &Document, values: &[Value], depth: usize) -> Option<Line>
         }
         line.is_even &= next.is_even;
         join(&mut line.points, next.points.into_iter());
-        (line.points.len() <= MOST_POINTS).then_some(())?;
+        (line.points.len() <= MAX_POINTS).then_some(())?;
     }
     Some(line)
 }

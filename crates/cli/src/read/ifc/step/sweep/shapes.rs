@@ -16,7 +16,7 @@ use super::turned::Axis;
 use super::{Built, Kind, taper, turned};
 
 /// A solid of more points than this is left to the library.
-const MOST_POINTS: usize = 1 << 20;
+const MAX_POINTS: usize = 1 << 20;
 /// Degrees of a revolution from ring to ring.
 const STEP_DEGREES: f64 = 7.5;
 /// Radians by which an angle may miss a whole turn.
@@ -93,7 +93,7 @@ impl<'a> Shapes<'a> {
         let is_whole = (angle.abs() - TAU).abs() <= WHOLE_TURN;
         let moves = self.turns(solid)?;
         let points: usize = sections.iter().map(|s| s.points.len()).sum();
-        if angle.abs() > TAU + WHOLE_TURN || points.saturating_mul(moves.len()) > MOST_POINTS {
+        if angle.abs() > TAU + WHOLE_TURN || points.saturating_mul(moves.len()) > MAX_POINTS {
             return None;
         }
         let skin = |section| Some(turned::skin(section, &axis, &moves, is_whole)?.moved(&place));
@@ -158,7 +158,7 @@ impl<'a> Shapes<'a> {
 
 fn follow(sections: &[Section], path: &Path, roll: &Roll) -> Option<Vec<Skin>> {
     let points: usize = sections.iter().map(|s| s.points.len()).sum();
-    if points.saturating_mul(path.points.len()) > MOST_POINTS {
+    if points.saturating_mul(path.points.len()) > MAX_POINTS {
         return None;
     }
     let mut skins = Vec::new();

@@ -5,7 +5,7 @@ use crate::geometry::Vec3;
 
 /// What the beams of a patch have in common.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Setting {
+pub struct PatchSpec {
     /// Where the beams start.
     pub origins: Origins,
     /// The scanner position's number, as the user keeps it.

@@ -22,12 +22,12 @@ thread_local! {
 
 /// The threads that a call may use: as many as a parallel plan would have processes.
 #[derive(Debug)]
-pub struct Crew {
+pub struct WorkerPool {
     /// `None`: the main thread alone.
     pool: Option<Arc<rayon::ThreadPool>>,
 }
 
-impl Crew {
+impl WorkerPool {
     /// One thread more than `max_parallel_workers_per_gather`, but no more than there are cores.
     pub fn gather() -> Self {
         let workers = unsafe { pg_sys::max_parallel_workers_per_gather }.max(0) as usize;

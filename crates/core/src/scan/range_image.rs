@@ -11,7 +11,7 @@ use crate::geometry::Vec3;
 /// Directions are projected onto the plane at unit distance along the cone's axis (gnomonic: straight lines stay
 /// straight). Beams of a cell, and of neighbouring cells of a row, are adjacent in memory.
 #[derive(Debug)]
-pub struct View {
+pub struct RangeImage {
     /// The patch's header.
     pub header: Header,
     /// Unit direction of each beam, by slot.
@@ -24,7 +24,7 @@ pub struct View {
     grid: AngularGrid,
 }
 
-impl View {
+impl RangeImage {
     /// Sorts the beams of a patch with an origin.
     pub fn new(header: Header, beams: &[Beam]) -> Self {
         Self::with_intensities(header, beams, None)
@@ -99,7 +99,7 @@ mod tests {
             let beams: Vec<Beam> = ends.iter().map(beam).collect();
             let bytes = Patch::encode(0, Vec3::zeros(), 5e-3, 1e-4, &beams).unwrap().to_bytes();
             let (header, content) = Patch::beams_of(&bytes).unwrap();
-            let (beams, view) = (&content.beams, View::new(header, &content.beams));
+            let (beams, view) = (&content.beams, RangeImage::new(header, &content.beams));
             prop_assert_eq!(view.len(), beams.len());
             let (min, max) = ([a.0, a.1], [a.0 + size.0, a.1 + size.1]);
             let found: Vec<usize> = view.slots_in(min, max).flatten().collect();

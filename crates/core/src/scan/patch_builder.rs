@@ -4,7 +4,7 @@ use super::beam::Beam;
 use super::content::Content;
 use super::origins::Origins;
 use super::patch::Patch;
-use super::setting::Setting;
+use super::patch_spec::PatchSpec;
 use crate::error::{Error, Limited, Result};
 use crate::geometry::{Vec3, check_coordinates};
 use crate::num::bytes::{Put, Reader};
@@ -30,7 +30,7 @@ pub struct Return {
 
 /// Returns of one station, gathered.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Gathered {
+pub struct PatchBuilder {
     station: i64,
     /// Whether origins are known; `None` before the first row.
     has_rays: Option<bool>,
@@ -39,7 +39,7 @@ pub struct Gathered {
     content: Content,
 }
 
-impl Gathered {
+impl PatchBuilder {
     /// Adds a row. A second origin makes the rows those of a moving platform; a second station is an error.
     pub fn push(&mut self, station: i64, r: &Return, interrupt: Interrupt) -> Result<()> {
         check_coordinates("a scan coordinate", r.point.iter().chain(r.origin.iter().flatten()))?;
@@ -132,7 +132,7 @@ impl Gathered {
         let (station, origin, quantum) = (self.station, self.reference, Patch::QUANTUM_M);
         self.content.packed(origins, interrupt, |own| {
             let step = own.step(origins);
-            Setting { origins, station, origin, step, quantum }
+            PatchSpec { origins, station, origin, step, quantum }
         })
     }
 
@@ -153,7 +153,7 @@ impl Gathered {
         Ok(out)
     }
 
-    /// The mirror of [`Gathered::to_bytes`].
+    /// The mirror of [`PatchBuilder::to_bytes`].
     pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
         let mut r = Reader::new(bytes, TY);
         let [some, rays, starts, intensity, colour] = [r.u8()?, r.u8()?, r.u8()?, r.u8()?, r.u8()?].map(|f| f != 0);
@@ -199,10 +199,10 @@ mod tests {
         (0..n).map(one).collect()
     }
 
-    fn gathered(rows: &[Return]) -> Gathered {
-        let mut g = Gathered::default();
+    fn gathered(rows: &[Return]) -> PatchBuilder {
+        let mut g = PatchBuilder::default();
         rows.iter().for_each(|r| g.push(3, r, NEVER).unwrap());
-        Gathered::from_bytes(&g.to_bytes(NEVER).unwrap(), NEVER).unwrap()
+        PatchBuilder::from_bytes(&g.to_bytes(NEVER).unwrap(), NEVER).unwrap()
     }
 
     proptest! {
@@ -234,7 +234,7 @@ mod tests {
 
         #[test]
         fn damaged_states_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
-            let _ = Gathered::from_bytes(&bytes, NEVER);
+            let _ = PatchBuilder::from_bytes(&bytes, NEVER);
         }
     }
 

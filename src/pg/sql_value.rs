@@ -8,7 +8,7 @@ use super::rows::{self, Field};
 
 /// What an SQL function returns.
 #[derive(Debug)]
-pub enum Ret {
+pub enum SqlValue {
     /// NULL.
     Null,
     /// `boolean`.
@@ -37,7 +37,7 @@ pub enum Ret {
     Raw(pg_sys::Datum),
 }
 
-impl Ret {
+impl SqlValue {
     /// A `text`.
     pub fn text(s: &str) -> Self {
         Self::Bytes(s.as_bytes().to_vec())
