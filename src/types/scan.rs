@@ -1,7 +1,7 @@
 //! `ab_scan`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Content, Header, Origins, Patch, PatchSpec, check_count};
+use asbuilt_core::scan::{Beam, Beams, Header, Origins, Patch, PatchSpec, check_count};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
@@ -32,7 +32,7 @@ fn from_arrays(args: &Args) -> Result<Patch> {
     }
     let start = |i: usize| if origins == Origins::Each { starts[i] } else { origin };
     let returned = |(i, p): (usize, [f64; 3])| Beam { offset: Vec3::from(p) - start(i), returned: true };
-    let mut content = Content::of(points.into_iter().enumerate().map(returned).collect());
+    let mut content = Beams::of(points.into_iter().enumerate().map(returned).collect());
     content.intensity = planes::intensity(args, 5)?;
     content.colour = planes::colour(args, 6)?;
     if origins == Origins::Each {
@@ -68,7 +68,7 @@ fn cloud(args: &Args) -> Result<Patch> {
     check_count(points.len())?;
     let points: Vec<Vec3> = points.into_iter().map(Vec3::from).collect();
     let origin = points.first().map_or_else(Vec3::zeros, |p| p.map(f64::round));
-    let mut content = Content::of(points.iter().map(|p| Beam { offset: p - origin, returned: true }).collect());
+    let mut content = Beams::of(points.iter().map(|p| Beam { offset: p - origin, returned: true }).collect());
     content.intensity = planes::intensity(args, 4)?;
     content.colour = planes::colour(args, 5)?;
     let (origins, station, quantum) = (Origins::Unknown, args.i64(2), args.f64(3));

@@ -2,7 +2,7 @@
 
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::scan::{Beam, Content, Origins, Patch, PatchSpec};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec};
 use asbuilt_core::verify::{
     Collector, Evidence, EvidenceModel, IntensityNoise, Threads, Verdict, VerdictRule, Verifier,
 };
@@ -21,7 +21,7 @@ fn patches(
     let pack = |part: usize| {
         let own = part * 4096..(part + 1) * 4096;
         let intensity = intensity.map(|of| own.clone().map(of).collect());
-        let content = Content { beams: beams[own].to_vec(), intensity, ..Content::default() };
+        let content = Beams { beams: beams[own].to_vec(), intensity, ..Beams::default() };
         let setting = PatchSpec { origins: Origins::One, station, origin, step: STEP, quantum: 1e-4 };
         Patch::pack(&setting, &content).unwrap().to_bytes()
     };

@@ -4,7 +4,7 @@
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::scan::{Beam, Content, Origins, Patch, PatchSpec};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec};
 use asbuilt_core::verify::{Collector, EvidenceModel, Summary, Verdict, VerdictRule};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -19,10 +19,10 @@ fn wall() -> Solid {
 }
 
 /// Profiles of a trolley that moves along y, 4 m in front of what was built at x = `at`.
-fn drive(at: f64) -> Content {
+fn drive(at: f64) -> Beams {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
     let noise = Normal::new(0.0, 0.001).unwrap();
-    let mut content = Content { starts: Some(Vec::new()), ..Content::default() };
+    let mut content = Beams { starts: Some(Vec::new()), ..Beams::default() };
     for i in 0..160 {
         let start = Vec3::new(4.0, f64::from(i) * 4.0 * STEP, 1.2);
         for k in -80..60 {
@@ -36,7 +36,7 @@ fn drive(at: f64) -> Content {
     content
 }
 
-fn judged(content: &Content, origins: Origins, origin: Vec3) -> Summary {
+fn judged(content: &Beams, origins: Origins, origin: Vec3) -> Summary {
     let setting = PatchSpec { origins, station: 7, origin, step: STEP, quantum: Patch::QUANTUM_M };
     let mut c = Collector::new(&wall(), EvidenceModel::default(), NEVER).unwrap();
     let all: Vec<u32> = (0..content.len() as u32).collect();
@@ -92,8 +92,8 @@ fn a_platform_that_stands_still_is_a_tripod() {
         let direction = Vec3::new(-1.0, f64::from(i % 120 - 60) * STEP, f64::from(i / 120 - 60) * STEP);
         Beam { offset: direction * 4.0, returned: true }
     };
-    let tripod = Content::of((0..14_400).map(beam).collect());
-    let still = Content { starts: Some(vec![place; tripod.len()]), ..tripod.clone() };
+    let tripod = Beams::of((0..14_400).map(beam).collect());
+    let still = Beams { starts: Some(vec![place; tripod.len()]), ..tripod.clone() };
     let (a, b) = (judged(&tripod, Origins::One, BASE + place), judged(&still, Origins::Each, BASE));
     assert_eq!((a.verdict, a.best_loa), (Verdict::Confirmed, b.best_loa));
     assert_eq!(a.verdict, b.verdict);

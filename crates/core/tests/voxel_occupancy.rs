@@ -1,7 +1,7 @@
 //! Occupancy against brute force: every voxel against every beam, by clipping, sharing no code with the carver.
 
 use asbuilt_core::geometry::{Aabb, Vec3};
-use asbuilt_core::scan::{Beam, Content, Origins, Patch, PatchSpec};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec};
 use asbuilt_core::voxel::{Grid, Occupancy, State};
 use asbuilt_core::{AtOnce, Error, NEVER};
 use proptest::prelude::*;
@@ -45,7 +45,7 @@ fn scene(seed: u64, centre: Vec3, patches: usize) -> Vec<Vec<u8>> {
         let starts = moving.then(|| (0..beams.len()).map(|_| around(&mut rng, 0.5)).collect());
         let origins = if moving { Origins::Each } else { Origins::One };
         let setting = PatchSpec { origins, station: 1, origin, step: 0.01, quantum: Patch::QUANTUM_M };
-        out.push(Patch::pack(&setting, &Content { starts, ..Content::of(beams) }).unwrap().to_bytes());
+        out.push(Patch::pack(&setting, &Beams { starts, ..Beams::of(beams) }).unwrap().to_bytes());
     }
     out
 }
@@ -57,7 +57,7 @@ fn occupied(grid: Grid, patches: &[Vec<u8>]) -> Occupancy {
 }
 
 /// What brute force says about a voxel: returns in it, and the longest path of a beam through it.
-fn brute(grid: &Grid, patches: &[(Vec3, Content)], voxel: [i64; 3]) -> (u32, f64) {
+fn brute(grid: &Grid, patches: &[(Vec3, Beams)], voxel: [i64; 3]) -> (u32, f64) {
     let low = Vec3::from(voxel.map(|i| i as f64 * grid.voxel));
     let own = Aabb { min: low.into(), max: (low + Vec3::repeat(grid.voxel)).into() };
     let (mut hits, mut longest) = (0, -1.0f64);
@@ -86,7 +86,7 @@ fn brute(grid: &Grid, patches: &[(Vec3, Content)], voxel: [i64; 3]) -> (u32, f64
 
 fn agrees(grid: Grid, patches: &[Vec<u8>], region: Aabb) -> (usize, usize, usize) {
     let o = occupied(grid, patches);
-    let unpacked: Vec<(Vec3, Content)> = patches
+    let unpacked: Vec<(Vec3, Beams)> = patches
         .iter()
         .map(|p| {
             let (h, c) = Patch::content_of(p).unwrap();

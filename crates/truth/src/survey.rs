@@ -3,7 +3,7 @@
 use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Content, Origins, Patch, PatchSpec};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec};
 use asbuilt_simulate::{Scanner, Scene, SimulatedScan};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
@@ -91,7 +91,7 @@ impl Survey {
 fn pack(scan: &SimulatedScan, station: i64) -> Result<Vec<Vec<u8>>> {
     let world_from_scan = scan.world_from_scan();
     let beams = scan.shots.iter().map(|s| Beam { offset: world_from_scan * s.point, returned: s.returned }).collect();
-    let content = Content::of(beams);
+    let content = Beams::of(beams);
     let patch = |tile: &Vec<u32>| {
         let (own, origins) = (content.select(tile), Origins::One);
         let step = own.step(origins);

@@ -26,7 +26,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, anyhow, bail};
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Content};
+use asbuilt_core::scan::{Beam, Beams};
 use indicatif::ProgressBar;
 
 pub use content::{Form, Kind, form, kind};
@@ -47,7 +47,7 @@ pub struct RawScan {
     /// The scanner's place, or a reference point near the data; world metres.
     pub anchor: Vec3,
     /// Beams relative to `anchor`, world axes; with intensity and colour where they were asked for and are there.
-    pub content: Content,
+    pub content: Beams,
     /// Number of unusable points: not finite, or impossibly far.
     pub unusable: u64,
     pub order: Order,
@@ -137,11 +137,11 @@ fn in_words(error: anyhow::Error) -> anyhow::Error {
 /// Points in world coordinates, in the file's unit, as a scan from `options.origin`, or as points without origin.
 fn scan_of_points(path: &Path, points: Vec<Vec3>, options: &ReadOptions) -> Result<RawScan> {
     let beam = |offset| Beam { offset, returned: true };
-    scan_of_content(path, Content::of(points.into_iter().map(beam).collect()), options)
+    scan_of_content(path, Beams::of(points.into_iter().map(beam).collect()), options)
 }
 
 /// The same with attributes; offsets are still world coordinates.
-fn scan_of_content(path: &Path, content: Content, options: &ReadOptions) -> Result<RawScan> {
+fn scan_of_content(path: &Path, content: Beams, options: &ReadOptions) -> Result<RawScan> {
     let origin = options.origin;
     let world_from_scan = origin.map(|_| NO_ROTATION);
     let (name, anchor) = (stem(path), Vec3::zeros());

@@ -1,6 +1,6 @@
 //! Intensity and colour of points that are read as plain numbers.
 
-use asbuilt_core::scan::{Beam, Content};
+use asbuilt_core::scan::{Beam, Beams};
 
 use super::ReadOptions;
 use super::text::{Column, Columns};
@@ -34,8 +34,8 @@ impl Planes {
     }
 
     /// The content of the points: intensities of 0 to 1, -2048 to 2047 (PTS) or 0 to 65535, colours of 0 to 1 or 255.
-    pub fn content(self, beams: Vec<Beam>) -> Content {
-        let mut content = Content::of(beams);
+    pub fn content(self, beams: Vec<Beam>) -> Beams {
+        let mut content = Beams::of(beams);
         content.intensity = self.intensity.map(|plane| {
             let low = plane.iter().copied().fold(0.0, f64::min);
             let high = plane.iter().copied().fold(0.0, f64::max);

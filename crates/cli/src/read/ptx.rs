@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Content};
+use asbuilt_core::scan::{Beam, Beams};
 use indicatif::ProgressBar;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
@@ -36,7 +36,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
         let empty = cells.iter().filter(|c| c.point.is_none()).count() as u64;
         let unusable = if order == Order::List { empty } else { 0 };
         let name = if number == 1 { stem(path) } else { format!("{} #{number}", stem(path)) };
-        let (world_from_scan, content) = (Some(quaternion(&rotation)), Content::of(beams));
+        let (world_from_scan, content) = (Some(quaternion(&rotation)), Beams::of(beams));
         let mut scan = RawScan { name, sensor: None, world_from_scan, anchor, content, unusable, order, notes, facts };
         unit::apply(options.file_unit, &mut scan);
         sink(scan)?;

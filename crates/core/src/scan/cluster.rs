@@ -1,7 +1,7 @@
 //! Cutting points that were not seen from one place into patches: by place.
 
 use super::beam::MAX_BEAMS;
-use super::content::Content;
+use super::beams::Beams;
 use super::halve::halve;
 use crate::geometry::{Aabb, Vec3};
 use crate::{Interrupt, Result};
@@ -35,7 +35,7 @@ pub fn spacing<'a>(points: impl ExactSizeIterator<Item = &'a Vec3>) -> f64 {
 
 /// Angle between neighbouring beams of a moving platform, radians, when it is not given: their [`spacing`] at the mean
 /// range.
-pub fn angular_spacing(content: &Content) -> f64 {
+pub fn angular_spacing(content: &Beams) -> f64 {
     let returned: Vec<usize> = (0..content.len()).filter(|&i| content.beams[i].returned).collect();
     let ends: Vec<Vec3> = returned.iter().map(|&i| content.end(i)).collect();
     let range = returned.iter().map(|&i| content.beams[i].offset.norm()).sum::<f64>() / returned.len().max(1) as f64;

@@ -1,7 +1,7 @@
 //! Beams cut into patches of neighbours.
 
+use super::beams::Beams;
 use super::cluster::{angular_spacing, clusters, spacing};
-use super::content::Content;
 use super::origins::Origins;
 use super::patch::Patch;
 use super::patch_spec::PatchSpec;
@@ -9,7 +9,7 @@ use super::tile::{mean_step, tiles};
 use crate::geometry::Vec3;
 use crate::{Interrupt, Result, poll, room};
 
-impl Content {
+impl Beams {
     /// Cuts the beams into patches of neighbours, each a list of beam numbers: by direction where they start at one
     /// place, else by where they end. A beam of one origin and zero length is in none.
     pub fn cut(&self, origins: Origins, interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {

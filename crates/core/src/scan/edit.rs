@@ -4,7 +4,7 @@
 use std::collections::HashSet;
 
 use super::beam::MAX_BEAMS;
-use super::content::Content;
+use super::beams::Beams;
 use super::header::Header;
 use super::origins::Origins;
 use super::patch::Patch;
@@ -18,7 +18,7 @@ const MAX_RETILED: usize = 10_000_000;
 
 impl Patch {
     /// The beams, by number, for which `keep` is true; `None` where none is left.
-    pub fn filtered(bytes: &[u8], mut keep: impl FnMut(&Header, &Content, usize) -> bool) -> Result<Option<Self>> {
+    pub fn filtered(bytes: &[u8], mut keep: impl FnMut(&Header, &Beams, usize) -> bool) -> Result<Option<Self>> {
         let (header, content) = Self::content_of(bytes)?;
         let kept: Vec<u32> = (0..content.len() as u32).filter(|&i| keep(&header, &content, i as usize)).collect();
         if kept.is_empty() { Ok(None) } else { Self::pack(&header.setting(), &content.select(&kept)).map(Some) }
@@ -83,8 +83,8 @@ impl Patch {
 
 /// All beams of patches of one station, from the first one's origin, at the finest quantum of all; `None` where there
 /// is no patch.
-fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option<(Header, Content)>> {
-    let mut all: Option<(Header, Content)> = None;
+fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option<(Header, Beams)>> {
+    let mut all: Option<(Header, Beams)> = None;
     for (i, bytes) in patches.iter().enumerate() {
         poll_now_and_then(i, interrupt)?;
         let (header, mut content) = Patch::content_of(bytes)?;

@@ -1,8 +1,8 @@
 //! From beams to the header and payload of a patch.
 
 use super::beam::{Beam, MAX_BEAMS};
+use super::beams::Beams;
 use super::cone::Cone;
-use super::content::Content;
 use super::header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M};
 use super::origins::Origins;
 use super::patch_spec::PatchSpec;
@@ -24,7 +24,7 @@ struct Quanta {
 }
 
 /// Header and payload.
-pub fn encode(setting: &PatchSpec, content: &Content) -> Result<(Header, Vec<u8>)> {
+pub fn encode(setting: &PatchSpec, content: &Beams) -> Result<(Header, Vec<u8>)> {
     check(setting, content)?;
     let quanta = quantise(content, setting.quantum)?;
     let all_returned = content.beams.iter().all(|b| b.returned);
@@ -75,7 +75,7 @@ pub fn check_count(n: usize) -> Result<()> {
 }
 
 /// Fails where beams and setting cannot be those of a patch.
-pub fn check(setting: &PatchSpec, content: &Content) -> Result<()> {
+pub fn check(setting: &PatchSpec, content: &Beams) -> Result<()> {
     let n = content.len();
     if n == 0 {
         return Err(Error::Empty { what: "the scan patch" });
@@ -109,7 +109,7 @@ fn one_a_beam(what: &'static str, given: Option<usize>, beams: usize) -> Result<
     }
 }
 
-fn quantise(content: &Content, quantum: f64) -> Result<Quanta> {
+fn quantise(content: &Beams, quantum: f64) -> Result<Quanta> {
     let starts = content.starts.as_ref().map(|all| all.iter().map(|s| rounded(s, quantum)).collect::<Result<Vec<_>>>());
     let starts = starts.transpose()?;
     let offset = |(i, b): (usize, &Beam)| {
@@ -144,16 +144,16 @@ fn too_far(v: &Vec3, quantum: f64) -> Error {
 
 impl Quanta {
     /// The beams as a reader will see them.
-    fn restored(&self, content: &Content, quantum: f64) -> Content {
+    fn restored(&self, content: &Beams, quantum: f64) -> Beams {
         let metres = |q: &[i32; 3]| Vec3::from(q.map(f64::from)) * quantum;
         let beam = |(q, b): (&[i32; 3], &Beam)| Beam { offset: metres(q), returned: b.returned };
         let beams = self.offsets.iter().zip(&content.beams).map(beam).collect();
-        Content { starts: self.starts.as_ref().map(|s| s.iter().map(metres).collect()), ..Content::of(beams) }
+        Beams { starts: self.starts.as_ref().map(|s| s.iter().map(metres).collect()), ..Beams::of(beams) }
     }
 }
 
 /// The header of beams as a reader sees them.
-pub fn describe(flags: u8, setting: &PatchSpec, content: &Content) -> Result<Header> {
+pub fn describe(flags: u8, setting: &PatchSpec, content: &Beams) -> Result<Header> {
     let PatchSpec { origins, station, origin, step, quantum } = *setting;
     let returned = || (0..content.len()).filter(|&i| content.beams[i].returned);
     let world: Vec<Vec3> = returned().map(|i| origin + content.end(i)).collect();
@@ -179,7 +179,7 @@ pub fn describe(flags: u8, setting: &PatchSpec, content: &Content) -> Result<Hea
 }
 
 /// The returns, where their beams start, and how far beams without return looked.
-fn hull(origins: Origins, origin: &Vec3, content: &Content, points: Aabb) -> Aabb {
+fn hull(origins: Origins, origin: &Vec3, content: &Beams, points: Aabb) -> Aabb {
     if origins == Origins::Unknown {
         return points;
     }

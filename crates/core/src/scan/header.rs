@@ -1,7 +1,7 @@
 //! What a patch tells without its payload.
 
+use super::beams::Beams;
 use super::cone::Cone;
-use super::content::Content;
 use super::origins::Origins;
 use super::patch_spec::PatchSpec;
 use crate::NEVER;
@@ -84,7 +84,7 @@ impl Header {
     }
 
     /// The flags of the planes that beams have.
-    pub(super) fn flags_of(content: &Content) -> u8 {
+    pub(super) fn flags_of(content: &Beams) -> u8 {
         let flag = |there: bool, flag: u8| if there { flag } else { 0 };
         flag(content.starts.is_some(), Self::FLAG_ORIGIN_EACH)
             | flag(content.intensity.is_some(), Self::FLAG_INTENSITY)

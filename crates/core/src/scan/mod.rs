@@ -9,7 +9,7 @@
 //! Read in this order:
 //!
 //! * [`beam`]: one laser beam;
-//! * [`content`]: many of them, with what else was measured of each;
+//! * [`beams`]: many of them, with what else was measured of each;
 //! * [`cone`]: the directions of a tile;
 //! * [`origins`]: where the beams of a patch start;
 //! * [`patch_spec`]: what they have in common;
@@ -30,10 +30,10 @@
 
 mod angular_grid;
 mod beam;
+mod beams;
 mod bitpack;
 mod cluster;
 mod cone;
-mod content;
 mod cut;
 mod edit;
 mod encode;
@@ -50,8 +50,8 @@ mod tile;
 
 pub(crate) use angular_grid::AngularGrid;
 pub use beam::{Beam, MAX_BEAMS};
+pub use beams::Beams;
 pub use cone::Cone;
-pub use content::Content;
 pub use encode::check_count;
 pub use header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M};
 pub use origins::Origins;

@@ -1,7 +1,7 @@
 //! A packed angular tile of beams: SQL's `ab_scan`.
 
 use super::beam::{Beam, MAX_BEAMS};
-use super::content::Content;
+use super::beams::Beams;
 use super::encode::{NO_LEAD, check, describe, encode};
 use super::header::{Header, TY};
 use super::origins::Origins;
@@ -27,7 +27,7 @@ impl Patch {
     pub const QUANTUM_M: f64 = 1e-4;
 
     /// Packs beams with their attributes. Coordinates of returns are kept to half a quantum per axis.
-    pub fn pack(setting: &PatchSpec, content: &Content) -> Result<Self> {
+    pub fn pack(setting: &PatchSpec, content: &Beams) -> Result<Self> {
         let (header, payload) = encode(setting, content)?;
         Ok(Self { header, payload })
     }
@@ -35,7 +35,7 @@ impl Patch {
     /// Packs beams that start at `origin`; `step` is the angle between neighbours, radians.
     pub fn encode(station: i64, origin: Vec3, step: f64, quantum: f64, beams: &[Beam]) -> Result<Self> {
         let setting = PatchSpec { origins: Origins::One, station, origin, step, quantum };
-        Self::pack(&setting, &Content::of(beams.to_vec()))
+        Self::pack(&setting, &Beams::of(beams.to_vec()))
     }
 
     /// The header.
@@ -58,12 +58,12 @@ impl Patch {
 
     /// The beams in bytes that this database wrote, without intensity and colour: checksum and structure are checked,
     /// the header is taken as it is.
-    pub fn beams_of(bytes: &[u8]) -> Result<(Header, Content)> {
+    pub fn beams_of(bytes: &[u8]) -> Result<(Header, Beams)> {
         read(bytes, false)
     }
 
     /// The same with all attributes.
-    pub fn content_of(bytes: &[u8]) -> Result<(Header, Content)> {
+    pub fn content_of(bytes: &[u8]) -> Result<(Header, Beams)> {
         read(bytes, true)
     }
 
@@ -80,7 +80,7 @@ impl Patch {
     }
 }
 
-fn read(bytes: &[u8], all_planes: bool) -> Result<(Header, Content)> {
+fn read(bytes: &[u8], all_planes: bool) -> Result<(Header, Beams)> {
     let header = Header::read(bytes)?;
     let content =
         Header::payload(bytes).and_then(|payload| decode(&header, payload, all_planes)).map_err(|e| match e {
@@ -90,7 +90,7 @@ fn read(bytes: &[u8], all_planes: bool) -> Result<(Header, Content)> {
     Ok((header, content))
 }
 
-fn decode(header: &Header, payload: &[u8], all_planes: bool) -> Result<Content> {
+fn decode(header: &Header, payload: &[u8], all_planes: bool) -> Result<Beams> {
     let n = header.beams as usize;
     if n == 0 || n > MAX_BEAMS {
         return Err(Error::binary(TY, format!("{n} beams, but a patch holds 1 to {MAX_BEAMS}")));
@@ -101,7 +101,7 @@ fn decode(header: &Header, payload: &[u8], all_planes: bool) -> Result<Content> 
     let lead = r.u8()?;
     let offsets = columns(&mut r, n, lead)?;
     let beam = |i: usize| Beam { offset: metres(&offsets, i, header.quantum), returned: returned(i) };
-    let mut content = Content::of((0..n).map(beam).collect());
+    let mut content = Beams::of((0..n).map(beam).collect());
     if header.origins() == Origins::Each {
         let starts = columns(&mut r, n, NO_LEAD)?;
         content.starts = Some((0..n).map(|i| metres(&starts, i, header.quantum)).collect());
@@ -200,11 +200,11 @@ mod tests {
             x in 1u8..,
         ) {
             let vec = |(x, y, z): (f64, f64, f64)| Vec3::new(x, y, z);
-            let content = Content {
+            let content = Beams {
                 starts: Some(readings.iter().map(|r| vec(r.0)).collect()),
                 intensity: intensity.then(|| readings.iter().map(|r| r.2).collect()),
                 colour: colour.then(|| readings.iter().map(|r| r.3).collect()),
-                ..Content::of(readings.iter().map(|r| Beam { offset: vec(r.1), returned: r.4 }).collect())
+                ..Beams::of(readings.iter().map(|r| Beam { offset: vec(r.1), returned: r.4 }).collect())
             };
             let origin = Vec3::new(6e6, 6e6, 0.0);
             let setting = PatchSpec { origins: Origins::Each, station: -3, origin, step: 1e-3, quantum: 1e-4 };
@@ -278,11 +278,11 @@ mod tests {
     fn planes_fit_their_beams() {
         let one = Beam { offset: Vec3::x(), returned: true };
         let setting = PatchSpec { origins: Origins::One, station: 0, origin: Vec3::zeros(), step: 1e-3, quantum: 1e-4 };
-        let content = Content { intensity: Some(vec![1, 2]), ..Content::of(vec![one]) };
+        let content = Beams { intensity: Some(vec![1, 2]), ..Beams::of(vec![one]) };
         assert!(Patch::pack(&setting, &content).is_err());
         // Starts and the kind of origin belong together.
-        assert!(Patch::pack(&PatchSpec { origins: Origins::Each, ..setting }, &Content::of(vec![one])).is_err());
-        let content = Content { starts: Some(vec![Vec3::zeros()]), ..Content::of(vec![one]) };
+        assert!(Patch::pack(&PatchSpec { origins: Origins::Each, ..setting }, &Beams::of(vec![one])).is_err());
+        let content = Beams { starts: Some(vec![Vec3::zeros()]), ..Beams::of(vec![one]) };
         assert!(Patch::pack(&setting, &content).is_err());
     }
 

@@ -1,7 +1,7 @@
 //! Patches from rows that arrive one by one: the state of SQL's `ab_scan_agg`.
 
 use super::beam::Beam;
-use super::content::Content;
+use super::beams::Beams;
 use super::origins::Origins;
 use super::patch::Patch;
 use super::patch_spec::PatchSpec;
@@ -36,7 +36,7 @@ pub struct PatchBuilder {
     has_rays: Option<bool>,
     /// The first origin, or a place near the first point.
     reference: Vec3,
-    content: Content,
+    content: Beams,
 }
 
 impl PatchBuilder {
@@ -45,7 +45,7 @@ impl PatchBuilder {
         check_coordinates("a scan coordinate", r.point.iter().chain(r.origin.iter().flatten()))?;
         if self.has_rays.is_none() {
             let reference = r.origin.unwrap_or_else(|| r.point.map(f64::round));
-            *self = Self { station, has_rays: Some(r.origin.is_some()), reference, content: Content::default() };
+            *self = Self { station, has_rays: Some(r.origin.is_some()), reference, content: Beams::default() };
             self.content.intensity = r.intensity.map(|_| Vec::new());
             self.content.colour = r.colour.map(|_| Vec::new());
         }
@@ -173,7 +173,7 @@ impl PatchBuilder {
             station,
             has_rays: some.then_some(rays),
             reference,
-            content: Content { beams, starts, intensity, colour },
+            content: Beams { beams, starts, intensity, colour },
         })
     }
 }

@@ -1,13 +1,13 @@
 //! The optional attributes stored behind the beams: starts, intensity, colour.
 
+use super::beams::Beams;
 use super::bitpack;
-use super::content::Content;
 use super::header::Header;
 use crate::error::Result;
 use crate::num::bytes::Reader;
 
 /// Appends intensity, then colour (green, and red and blue that follow it), where present.
-pub fn pack(content: &Content, out: &mut Vec<u8>) {
+pub fn pack(content: &Beams, out: &mut Vec<u8>) {
     if let Some(intensity) = &content.intensity {
         bitpack::pack(&intensity.iter().map(|&v| i32::from(v)).collect::<Vec<_>>(), None, out);
     }
@@ -20,7 +20,7 @@ pub fn pack(content: &Content, out: &mut Vec<u8>) {
 }
 
 /// Reads what [`pack`] wrote into `content`, whose beams have been read.
-pub fn unpack(r: &mut Reader, flags: u8, content: &mut Content) -> Result<()> {
+pub fn unpack(r: &mut Reader, flags: u8, content: &mut Beams) -> Result<()> {
     let n = content.len();
     if flags & Header::FLAG_INTENSITY != 0 {
         let column = bitpack::unpack(r, n, None)?;

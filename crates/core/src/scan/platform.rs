@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::beam::Beam;
-use super::content::Content;
+use super::beams::Beams;
 use super::encode::describe;
 use super::header::Header;
 use super::origins::Origins;
@@ -14,7 +14,7 @@ use crate::error::Result;
 
 /// Cuts beams that start at many places into groups of one origin and one cone, each with a header of its own; mostly
 /// single beams. Groups are ordered by the first beam of each place.
-pub fn by_origin(header: &Header, content: &Content) -> Result<Vec<(Header, Vec<Beam>)>> {
+pub fn by_origin(header: &Header, content: &Beams) -> Result<Vec<(Header, Vec<Beam>)>> {
     let mut places: BTreeMap<[u64; 3], Vec<u32>> = BTreeMap::new();
     for i in 0..content.len() {
         let place = content.start(i).map(f64::to_bits).into();
@@ -30,7 +30,7 @@ pub fn by_origin(header: &Header, content: &Content) -> Result<Vec<(Header, Vec<
         for tile in tiles(&beams, NEVER)? {
             let own: Vec<Beam> = tile.iter().map(|&i| beams[i as usize]).collect();
             let no_returns = if own.iter().all(|b| b.returned) { 0 } else { Header::FLAG_NO_RETURNS };
-            let content = Content::of(own);
+            let content = Beams::of(own);
             out.push((describe(no_returns, &setting, &content)?, content.beams));
         }
     }
@@ -49,7 +49,7 @@ mod tests {
         let starts: Vec<Vec3> = (0..n).map(|i| Vec3::new(0.01 * f64::from(i / 2), 0.0, 1.5)).collect();
         let beam =
             |i: i32| Beam { offset: Vec3::new(0.0, if i % 2 == 0 { 3.0 } else { -4.0 }, 0.2), returned: i % 9 != 0 };
-        let content = Content { starts: Some(starts.clone()), ..Content::of((0..n).map(beam).collect()) };
+        let content = Beams { starts: Some(starts.clone()), ..Beams::of((0..n).map(beam).collect()) };
         let origin = Vec3::new(6e6, 6e6, 100.0);
         let setting = PatchSpec { origins: Origins::Each, station: 4, origin, step: 0.01, quantum: 1e-4 };
         let bytes = Patch::pack(&setting, &content).unwrap().to_bytes();

@@ -2,7 +2,7 @@
 
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, SurfaceKind, Vec3};
-use asbuilt_core::scan::{Beam, Content, Origins, Patch, PatchBuilder, PatchSpec, Return};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchBuilder, PatchSpec, Return};
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind};
 use asbuilt_core::voxel::{Change, Grid, Mask, Occupancy, Rule, Settings};
 
@@ -29,7 +29,7 @@ fn packed(input: &mut Input) -> Option<Patch> {
         quantum: [1e-4, 1e-3, 1e-6, 0.5][usize::from(flags >> 2 & 3)],
     };
     let n = usize::from(input.byte()) + 1;
-    let mut content = Content::default();
+    let mut content = Beams::default();
     for _ in 0..n {
         let returned = origins == Origins::Unknown || !input.byte().is_multiple_of(5);
         content.beams.push(Beam { offset: Vec3::from(input.vector()), returned });

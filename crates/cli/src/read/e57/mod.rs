@@ -6,7 +6,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Content};
+use asbuilt_core::scan::{Beam, Beams};
 use e57::{CartesianCoordinate, Point, PointCloud, RecordDataType};
 use indicatif::ProgressBar;
 use nalgebra::{Quaternion, UnitQuaternion};
@@ -130,7 +130,7 @@ fn read_cloud(
 const MAX_RESERVED: u64 = 1 << 24;
 
 /// Beams, cells of the grid, and how many points were not finite.
-type Collected = (Content, Vec<Cell>, u64);
+type Collected = (Beams, Vec<Cell>, u64);
 
 fn collect(
     file: &mut mend::Reader,
@@ -141,7 +141,7 @@ fn collect(
 ) -> Result<Collected> {
     let grid = cloud.has_row_column();
     let room = cloud.records.min(MAX_RESERVED) as usize;
-    let mut content = Content::of(Vec::with_capacity(room));
+    let mut content = Beams::of(Vec::with_capacity(room));
     content.intensity = (options.intensity && cloud.has_intensity()).then(Vec::new);
     content.colour = (options.colour && cloud.has_color()).then(Vec::new);
     let mut cells = Vec::with_capacity(if grid { room } else { 0 });
@@ -182,7 +182,7 @@ fn collect(
 }
 
 /// Adds a beam and, to the attributes that are kept, what was measured of it (0 where the file does not say).
-fn push(content: &mut Content, beam: Beam, point: &Point) {
+fn push(content: &mut Beams, beam: Beam, point: &Point) {
     content.beams.push(beam);
     let full = |share: f32, full: f32| (share.clamp(0.0, 1.0) * full).round();
     if let Some(plane) = &mut content.intensity {

@@ -11,7 +11,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Content};
+use asbuilt_core::scan::{Beam, Beams};
 use indicatif::ProgressBar;
 use las::{Header, PointData, PointDataBuilder, Reader, ReaderOptions};
 
@@ -91,7 +91,7 @@ fn facts(header: &Header) -> Facts {
 struct Points {
     is_extended: bool,
     factors: [f64; 3],
-    content: Content,
+    content: Beams,
     colours: Vec<[u16; 3]>,
     read: u64,
     /// Indices of points to leave out, and how many of them are withheld.
@@ -106,7 +106,7 @@ const NOISE: [u8; 2] = [7, 18];
 
 impl Points {
     fn new(is_extended: bool, factors: [f64; 3], options: &ReadOptions) -> Self {
-        let content = Content { intensity: options.intensity.then(Vec::new), ..Content::default() };
+        let content = Beams { intensity: options.intensity.then(Vec::new), ..Beams::default() };
         let (colours, dropped) = (Vec::new(), Vec::new());
         Self {
             is_extended,
@@ -167,7 +167,7 @@ impl Points {
         out
     }
 
-    fn content(mut self) -> Content {
+    fn content(mut self) -> Beams {
         // The format wants sixteen bits a part; many writers fill eight.
         let shift = if self.colours.iter().flatten().any(|&part| part > 255) { 8 } else { 0 };
         let eight = |c: &[u16; 3]| c.map(|part| (part >> shift) as u8);

@@ -170,7 +170,7 @@ fn is_remote(beams: &[Beam]) -> bool {
 mod tests {
     use super::*;
     use crate::read::Facts;
-    use asbuilt_core::scan::Content;
+    use asbuilt_core::scan::Beams;
 
     /// Returns from `scanner` on a room of 8 × 6 × 3 m with a column in it, in world coordinates.
     fn room(scanner: Vec3) -> Vec<Vec3> {
@@ -202,7 +202,7 @@ mod tests {
             sensor: None,
             world_from_scan: Some(NO_ROTATION),
             anchor: origin,
-            content: Content::of(beams),
+            content: Beams::of(beams),
             unusable: 0,
             order: Order::NotTold,
             notes: Vec::new(),

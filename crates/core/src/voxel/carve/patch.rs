@@ -6,7 +6,7 @@ use super::local_origin::LocalOrigin;
 use super::ray::Ray;
 use super::tile::Tile;
 use crate::geometry::Vec3;
-use crate::scan::{Beam, Content, Header, Origins, Patch};
+use crate::scan::{Beam, Beams, Header, Origins, Patch};
 use crate::voxel::lattice::bits::slot_of;
 use crate::voxel::lattice::block_map::block_of;
 use crate::voxel::lattice::{Grid, VoxelBox};
@@ -46,7 +46,7 @@ pub fn absorb(tile: &mut Tile, patch: &[u8], interrupt: Interrupt) -> Result<()>
 fn count_returns(
     tile: &mut Tile,
     header: &Header,
-    content: &Content,
+    content: &Beams,
     origin: &LocalOrigin,
     interrupt: Interrupt,
 ) -> Result<Vec<Ray>> {

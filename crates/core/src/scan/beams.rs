@@ -6,7 +6,7 @@ use crate::{Grow, Interrupt, Result};
 
 /// Beams with their optional attributes; an attribute that is present has one value per beam.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Content {
+pub struct Beams {
     /// The beams.
     pub beams: Vec<Beam>,
     /// Where each beam starts, metres from the patch's origin: only for moving platforms ([`super::Origins::Each`]).
@@ -17,7 +17,7 @@ pub struct Content {
     pub colour: Option<Vec<[u8; 3]>>,
 }
 
-impl Content {
+impl Beams {
     /// Beams alone.
     pub fn of(beams: Vec<Beam>) -> Self {
         Self { beams, ..Self::default() }
