@@ -8,6 +8,7 @@ mod allocator;
 mod analyze;
 mod args;
 mod array;
+mod context;
 mod function;
 mod gist;
 mod interrupt;

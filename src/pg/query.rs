@@ -5,6 +5,7 @@ use std::ffi::CString;
 use asbuilt_core::{Budget, Error, Result};
 use pgrx::pg_sys;
 
+use super::context::within;
 use super::interrupt::serve;
 use super::memory::Backend;
 use super::{Args, own_type_name, toast};
@@ -60,7 +61,8 @@ pub fn for_each_batch(
     mut visit: impl FnMut(Vec<Vec<Cell>>) -> Result<()>,
 ) -> Result<()> {
     let text = CString::new(query.text).map_err(|_| Error::argument(query.what, "without a zero byte", "one with"))?;
-    unsafe {
+    let context = CString::new(query.what).unwrap_or_default();
+    within(&context, || unsafe {
         connect();
         let plan = pg_sys::SPI_prepare(text.as_ptr(), 0, std::ptr::null_mut());
         if plan.is_null() || !pg_sys::SPI_is_cursor_plan(plan) {
@@ -73,7 +75,7 @@ pub fn for_each_batch(
         pg_sys::SPI_cursor_close(portal);
         pg_sys::SPI_finish();
         outcome
-    }
+    })
 }
 
 unsafe fn connect() {
