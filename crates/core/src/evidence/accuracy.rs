@@ -62,7 +62,7 @@ fn check_belief(belief: f64) -> Result<()> {
 }
 
 /// Tolerance of one object against another, from theirs: √(T₁²+T₂²), or T₁+T₂ in the worst case (Meyer (2022), eqs. 4.2
-/// to 4.5).
+/// to 4.5). Metres, as both tolerances.
 pub fn relative_tolerance(t1: f64, t2: f64, rule: &str) -> Result<f64> {
     let (t1, t2) = (positive("a tolerance", t1)?, positive("a tolerance", t2)?);
     match rule {
@@ -73,7 +73,7 @@ pub fn relative_tolerance(t1: f64, t2: f64, rule: &str) -> Result<f64> {
 }
 
 /// Largest standard deviation of a sensor fit for a tolerance: T/5 to tell levels of accuracy, T/15 to prove a
-/// tolerance.
+/// tolerance. Metres, as the tolerance.
 pub fn largest_sigma(tolerance: f64, purpose: &str) -> Result<f64> {
     let tolerance = positive("the tolerance", tolerance)?;
     match purpose {

@@ -58,7 +58,7 @@ impl Mass {
         Ok(Self { occupied, empty, unknown: (1.0 - sum).max(0.0) })
     }
 
-    /// bel(h): what is committed to `h` (Meyer (2022), eqs. 5.20 and 5.22).
+    /// bel(h): what is committed to `h` (Meyer (2022), eqs. 5.20 and 5.22). Between 0 and 1.
     pub fn belief(&self, h: Hypothesis) -> f64 {
         match h {
             Hypothesis::Occupied => self.occupied,
@@ -66,7 +66,7 @@ impl Mass {
         }
     }
 
-    /// pl(h): what does not speak against `h` (Meyer (2022), eqs. 5.21 and 5.23).
+    /// pl(h): what does not speak against `h` (Meyer (2022), eqs. 5.21 and 5.23). Between 0 and 1.
     pub fn plausibility(&self, h: Hypothesis) -> f64 {
         self.belief(h) + self.unknown
     }
@@ -113,6 +113,7 @@ impl Mass {
     }
 
     /// m(∅): what contradicting sources put on nothing at all. Less than 1e-9 is rounding and counts as none.
+    /// Between 0 and 1.
     pub fn contradiction(&self) -> f64 {
         let rest = 1.0 - (self.occupied + self.empty + self.unknown);
         if rest > ROUNDING { rest } else { 0.0 }

@@ -39,6 +39,7 @@ impl Criterion {
 
 impl Mass {
     /// The hypothesis whose measure reaches `threshold` and exceeds the other's; `None` where it is undecided.
+    /// The threshold lies between 0 and 1.
     pub fn decide(&self, criterion: Criterion, threshold: f64) -> Result<Option<Hypothesis>> {
         if !(0.0..=1.0).contains(&threshold) {
             return Err(Error::argument("the threshold", "between 0 and 1", threshold));

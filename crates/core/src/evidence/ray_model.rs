@@ -22,7 +22,7 @@ impl RayModel {
     /// The published setting for a terrestrial laser scanner (σ of a point 2.5 mm; Meyer (2022), Table 7.7).
     pub const LASER: Self = Self { kappa: 20_000.0, lambda: 600.0, c: 3.0 };
 
-    /// Checks that all three are positive and finite.
+    /// Checks that all three are positive and finite. κ in 1/m², λ in 1/m, c without unit.
     pub fn new(kappa: f64, lambda: f64, c: f64) -> Result<Self> {
         for (what, x) in [("kappa", kappa), ("lambda", lambda), ("c", c)] {
             if !(x > 0.0 && x.is_finite()) {
@@ -46,6 +46,7 @@ impl RayModel {
     }
 
     /// The same from the query's place along the beam (`dx`, + behind the return) and its squared distance across.
+    /// Metres, and m² for the square.
     pub fn mass_at(&self, dx: f64, dy_squared: f64, range: f64) -> Mass {
         if dx < -range {
             return Mass::VACUOUS;

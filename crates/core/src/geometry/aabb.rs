@@ -18,7 +18,7 @@ impl Aabb {
     /// A box that holds nothing; the neutral element of [`Aabb::grow`].
     pub const EMPTY: Self = Self { min: [f64::INFINITY; 3], max: [f64::NEG_INFINITY; 3] };
 
-    /// The box between two corners given in any order; both finite.
+    /// The box between two corners given in any order; both finite. World metres.
     pub fn new(a: [f64; 3], b: [f64; 3]) -> Result<Self> {
         if let Some(v) = a.iter().chain(&b).find(|v| !v.is_finite()) {
             return Err(Error::argument("a box coordinate", "finite", v));
@@ -26,14 +26,14 @@ impl Aabb {
         Ok(Self { min: [0, 1, 2].map(|i| a[i].min(b[i])), max: [0, 1, 2].map(|i| a[i].max(b[i])) })
     }
 
-    /// The smallest box around `points`; [`Aabb::EMPTY`] for none.
+    /// The smallest box around `points`; [`Aabb::EMPTY`] for none. Metres, in the frame of the points.
     pub fn around<'a>(points: impl IntoIterator<Item = &'a Vec3>) -> Self {
         let mut b = Self::EMPTY;
         points.into_iter().for_each(|p| b.grow(p));
         b
     }
 
-    /// Grows to include a point.
+    /// Grows to include a point. Metres, in the frame of the box.
     pub fn grow(&mut self, p: &Vec3) {
         for i in 0..3 {
             self.min[i] = self.min[i].min(p[i]);
@@ -46,7 +46,7 @@ impl Aabb {
         std::array::from_fn(|i| Vec3::from_fn(|k, _| if i >> k & 1 == 1 { self.max[k] } else { self.min[k] }))
     }
 
-    /// The box grown by `margin` on every side.
+    /// The box grown by `margin` on every side. Metres.
     pub fn expanded(&self, margin: f64) -> Self {
         Self { min: self.min.map(|v| v - margin), max: self.max.map(|v| v + margin) }
     }
@@ -61,7 +61,7 @@ impl Aabb {
         (0..3).all(|i| self.min[i] <= o.max[i] && o.min[i] <= self.max[i])
     }
 
-    /// Whether a point lies inside (the border counts).
+    /// Whether a point lies inside (the border counts). Metres, in the frame of the box.
     pub fn holds(&self, p: &Vec3) -> bool {
         (0..3).all(|i| (self.min[i]..=self.max[i]).contains(&p[i]))
     }
@@ -76,23 +76,23 @@ impl Aabb {
         (0..3).map(|i| self.max[i] - self.min[i]).product()
     }
 
-    /// Sum of the three edge lengths, the R*-tree's margin.
+    /// Sum of the three edge lengths, the R*-tree's margin. Metres.
     pub fn margin(&self) -> f64 {
         (0..3).map(|i| self.max[i] - self.min[i]).sum()
     }
 
-    /// Distance between the nearest points of both boxes; 0 when they overlap.
+    /// Distance between the nearest points of both boxes; 0 when they overlap. Metres.
     pub fn distance(&self, o: &Self) -> f64 {
         let gap = |i: usize| (self.min[i] - o.max[i]).max(o.min[i] - self.max[i]).max(0.0);
         (gap(0).powi(2) + gap(1).powi(2) + gap(2).powi(2)).sqrt()
     }
 
-    /// Midpoint.
+    /// Midpoint. Metres, in the frame of the box.
     pub fn centre(&self) -> Vec3 {
         Vec3::from_fn(|i, _| 0.5 * (self.min[i] + self.max[i]))
     }
 
-    /// Length of the diagonal.
+    /// Length of the diagonal. Metres.
     pub fn diagonal(&self) -> f64 {
         Vec3::from_fn(|i, _| self.max[i] - self.min[i]).norm()
     }

@@ -65,13 +65,13 @@ impl BoxStatistics {
         self.cells.iter().map(of).sum::<f64>().clamp(0.0, 1.0)
     }
 
-    /// As plain numbers, to be stored.
+    /// As plain numbers, to be stored. Metres and shares.
     pub fn to_numbers(&self) -> Vec<f64> {
         let numbers = |c: &Cell| [&[c.share][..], &c.centres.min, &c.centres.max, &c.sides].concat();
         self.cells.iter().flat_map(numbers).collect()
     }
 
-    /// The mirror of [`BoxStatistics::to_numbers`]; `None` for numbers that are no statistics.
+    /// The mirror of [`BoxStatistics::to_numbers`]; `None` for numbers that are no statistics. Metres and shares.
     pub fn from_numbers(numbers: &[f64]) -> Option<Self> {
         let (cells, rest) = numbers.as_chunks::<NUMBERS>();
         let cell = |&[share, x, y, z, u, v, w, a, b, c]: &[f64; NUMBERS]| Cell {

@@ -39,6 +39,7 @@ impl Closedness {
 /// No border: closed. Otherwise the border may still cancel piecewise along its lines (T-junctions). A chain of
 /// segments that cancels has vanishing moments ∮ xᵢ dx and ∮ xᵢxⱼ dx; the first are the area vector, the second
 /// tell apart such pairs as two parallel plates, whose area vectors cancel although a gap is left.
+/// Vertices in metres.
 pub fn closedness(
     vertices: &[Vec3],
     welded: &[u32],

@@ -37,12 +37,12 @@ impl Solid {
     /// Most vertices or triangles of one solid; keeps a value within PostgreSQL's 1 GB.
     pub const MAX_ELEMENTS: usize = 20_000_000;
 
-    /// Checks and measures a mesh. A closed mesh that is inside out is turned.
+    /// Checks and measures a mesh. A closed mesh that is inside out is turned. World metres.
     pub fn new(vertices: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Self> {
         Self::interruptible(vertices, triangles, NEVER)
     }
 
-    /// [`Solid::new`] for meshes of any size: asks `interrupt` at intervals.
+    /// [`Solid::new`] for meshes of any size: asks `interrupt` at intervals. World metres.
     pub fn interruptible(vertices: Vec<Vec3>, mut triangles: Vec<[u32; 3]>, interrupt: Interrupt) -> Result<Self> {
         check(&vertices, &triangles, interrupt)?;
         let bounds = Aabb::around(&vertices);
@@ -64,7 +64,7 @@ impl Solid {
         Ok(Self { vertices, triangles, bounds, area, volume, closedness })
     }
 
-    /// A cuboid between two corners, 12 triangles.
+    /// A cuboid between two corners, 12 triangles. World metres.
     pub fn cuboid(min: [f64; 3], max: [f64; 3]) -> Result<Self> {
         let b = Aabb::new(min, max)?;
         let quads = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -72,7 +72,7 @@ impl Solid {
         Self::new(b.corners().to_vec(), triangles)
     }
 
-    /// An upright cylinder on `foot`, its circle approximated by `sections` inscribed chords.
+    /// An upright cylinder on `foot`, its circle approximated by `sections` inscribed chords. World metres.
     pub fn cylinder(foot: [f64; 3], radius: f64, height: f64, sections: u32) -> Result<Self> {
         let foot = Vec3::from(foot);
         let rim = |i: u32, z: f64| {
@@ -106,7 +106,7 @@ impl Solid {
         &self.triangles
     }
 
-    /// The three corners of triangle `t`.
+    /// The three corners of triangle `t`. World metres.
     pub fn corners(&self, t: usize) -> [Vec3; 3] {
         self.triangles[t].map(|i| self.vertices[i as usize])
     }

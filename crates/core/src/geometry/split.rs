@@ -4,7 +4,7 @@ use super::Aabb;
 
 /// How much `key` must grow to include `new`: by volume, or by edge lengths where the volume is zero.
 ///
-/// The square root keeps differences visible in the single-precision penalty that GiST compares.
+/// The square root keeps differences visible in the single-precision penalty that GiST compares. Metres.
 pub fn penalty(key: &Aabb, new: &Aabb) -> f32 {
     let union = key.union(new);
     let volume = (union.volume() - key.volume()).max(0.0);

@@ -8,7 +8,7 @@ use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 /// Vertices nearer than this are one vertex: modellers repeat them per face, rounded to single precision.
 const WELD_M: f64 = 1e-5;
 
-/// For each vertex the number of the first vertex at the same place (within 10 µm).
+/// For each vertex the number of the first vertex at the same place (within 10 µm). Metres, in any frame.
 pub fn weld(vertices: &[Vec3], interrupt: Interrupt) -> Result<Vec<u32>> {
     let cell = |v: &Vec3| [0, 1, 2].map(|i| (v[i] / WELD_M).floor() as i64);
     let mut first_in_cell: HashMap<[i64; 3], u32> = HashMap::new();

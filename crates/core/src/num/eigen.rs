@@ -6,7 +6,7 @@ use nalgebra::{Const, DMatrix, Dyn, Matrix3, SMatrix, SymmetricEigen};
 /// Sweeps after which nothing converges any more; the matrices here take about ten.
 const MAX_SWEEPS: usize = 1000;
 
-/// Eigenvalues and eigenvectors of a symmetric matrix; NaN where there are none.
+/// Eigenvalues and eigenvectors of a symmetric matrix; NaN where there are none. In the unit of the matrix.
 pub fn of_three(m: Matrix3<f64>) -> SymmetricEigen<f64, Const<3>> {
     SymmetricEigen::try_new(m, f64::EPSILON, MAX_SWEEPS).unwrap_or_else(|| SymmetricEigen {
         eigenvalues: Matrix3::repeat(f64::NAN).column(0).into_owned(),
@@ -14,7 +14,7 @@ pub fn of_three(m: Matrix3<f64>) -> SymmetricEigen<f64, Const<3>> {
     })
 }
 
-/// The same for a symmetric matrix of any size; NaN where there are none.
+/// The same for a symmetric matrix of any size; NaN where there are none. In the unit of the matrix.
 pub fn of_any(m: DMatrix<f64>) -> SymmetricEigen<f64, Dyn> {
     let n = m.nrows();
     SymmetricEigen::try_new(m, f64::EPSILON, MAX_SWEEPS).unwrap_or_else(|| SymmetricEigen {

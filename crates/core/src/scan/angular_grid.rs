@@ -16,6 +16,7 @@ pub struct AngularGrid {
 
 impl AngularGrid {
     /// Sorts image coordinates into cells two `step`s wide. Also returns the slot of each.
+    /// Places in the image plane at unit distance, the step in radians.
     pub fn sort(places: &[[f64; 2]], step: f64) -> (Self, Vec<u32>) {
         let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for uv in places {
@@ -55,6 +56,7 @@ impl AngularGrid {
     }
 
     /// Slot ranges, one per row of cells, that hold everything within the image rectangle (and some around it).
+    /// Tangents of angles from the cone's axis: unit distance in front of the scanner.
     pub fn slots_in(&self, min: [f64; 2], max: [f64; 2]) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         let index = |k: usize, x: f64, n: usize| ((x - self.low[k]) / self.cell).floor().clamp(-1.0, n as f64) as isize;
         let c0 = index(0, min[0], self.columns).max(0);

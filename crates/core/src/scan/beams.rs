@@ -77,6 +77,7 @@ impl Beams {
     }
 
     /// Adds beams without return; they have neither intensity nor colour, so these attributes hold 0 for them.
+    /// Directions from the scanner, of any length.
     pub fn extend_without_return(&mut self, directions: impl IntoIterator<Item = Vec3>) {
         let before = self.len();
         self.beams.extend(directions.into_iter().map(|offset| Beam { offset, returned: false }));

@@ -8,6 +8,7 @@ use crate::{Interrupt, Result};
 
 /// Cuts points into clusters of at most [`MAX_BEAMS`] that lie together: halved across the longest side of their box
 /// until they are small. Each is a list of point numbers in the order given; every point is in exactly one.
+/// Metres, in any frame.
 pub fn clusters(points: &[Vec3], interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
     let mut all: Vec<u32> = (0..points.len() as u32).collect();
     let mut out = Vec::new();

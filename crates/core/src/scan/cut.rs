@@ -23,6 +23,7 @@ impl Beams {
     }
 
     /// The step of a patch of these beams ([`super::PatchSpec::step`]) when nobody tells.
+    /// Radians; metres for points without origin.
     pub fn step(&self, origins: Origins) -> f64 {
         match origins {
             Origins::One => mean_step(&self.beams),

@@ -73,6 +73,7 @@ impl RangeImage {
     }
 
     /// Slot ranges, one per row of cells, that hold all beams within the image rectangle (and some around it).
+    /// In the image plane at unit distance from the scanner.
     pub fn slots_in(&self, min: [f64; 2], max: [f64; 2]) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         self.grid.slots_in(min, max)
     }

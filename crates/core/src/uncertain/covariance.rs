@@ -17,6 +17,7 @@ const ROUNDING: f64 = 1e-8;
 const MIN_SHARE: f64 = 1e-6;
 
 /// Checks that `m` is finite, symmetric and positive semi-definite (to rounding) and returns it exactly symmetric.
+/// In the unit of the matrix.
 pub fn checked<const N: usize>(what: &'static str, m: &SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>> {
     if let Some(x) = m.iter().find(|x| !x.is_finite()) {
         return Err(Error::argument(what, "finite", x));
@@ -35,7 +36,7 @@ pub fn checked<const N: usize>(what: &'static str, m: &SMatrix<f64, N, N>) -> Re
 }
 
 /// The same matrix, or, where cancellation left it with negative eigenvalues (a transform with a lever as long as a
-/// projected system, taken back), the nearest one without, in the scaled sense.
+/// projected system, taken back), the nearest one without, in the scaled sense. In the unit of the matrix.
 pub fn settled<const N: usize>(m: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
     let scale = scale_of(m);
     if m.iter().any(|x| !x.is_finite()) {

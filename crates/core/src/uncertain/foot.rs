@@ -20,7 +20,7 @@ pub fn on_plane(point: &Point, plane: &Plane) -> Point {
     Point { position, covariance }
 }
 
-/// Where along the endless line, in spans from its start, the foot of `x` lies.
+/// Where along the endless line, in spans from its start, the foot of `x` lies. The point in world metres.
 pub fn parameter(x: &Vec3, line: &Line) -> f64 {
     let span = line.span();
     (x - line.start).dot(&span) / span.norm_squared()

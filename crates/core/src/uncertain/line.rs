@@ -43,12 +43,12 @@ impl Line {
         self.end - self.start
     }
 
-    /// Unit vector from start to end.
+    /// Unit vector from start to end. A unit vector in the world.
     pub fn direction(&self) -> Vec3 {
         self.span().normalize()
     }
 
-    /// The point at start + t·span, 0 at the start, 1 at the end.
+    /// The point at start + t·span, 0 at the start, 1 at the end. World metres.
     pub fn at(&self, t: f64) -> Point {
         let j = Self::jacobian_at(t);
         Point { position: self.start + self.span() * t, covariance: propagate(&j, &self.covariance) }
@@ -85,7 +85,7 @@ impl Line {
         (Vector6::new(h.x, h.y, h.z, zero.x, zero.y, zero.z), propagate(&j, &self.covariance))
     }
 
-    /// The box around the end points' standard ellipsoids grown by `factor`.
+    /// The box around the end points' standard ellipsoids grown by `factor`. World metres.
     pub fn bounds(&self, factor: f64) -> Aabb {
         self.at(0.0).bounds(factor).union(&self.at(1.0).bounds(factor))
     }

@@ -39,7 +39,7 @@ impl Point {
         Ok(order.map(|i| (factor * eigen.eigenvalues[i].max(0.0).sqrt(), eigen.eigenvectors.column(i).into_owned())))
     }
 
-    /// The box around the standard ellipsoid grown by `factor`.
+    /// The box around the standard ellipsoid grown by `factor`. World metres.
     pub fn bounds(&self, factor: f64) -> Aabb {
         let half = |i: usize| factor * self.covariance[(i, i)].max(0.0).sqrt();
         Aabb { min: [0, 1, 2].map(|i| self.position[i] - half(i)), max: [0, 1, 2].map(|i| self.position[i] + half(i)) }
@@ -79,7 +79,7 @@ impl Stored<9> for Point {
     }
 }
 
-/// A standard deviation, checked to be finite and not negative.
+/// A standard deviation, checked to be finite and not negative. Metres.
 pub fn checked_sd(what: &'static str, sd: f64) -> Result<f64> {
     if sd >= 0.0 && sd.is_finite() { Ok(sd) } else { Err(Error::argument(what, "0 or more, and finite", sd)) }
 }

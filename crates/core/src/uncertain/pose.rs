@@ -51,7 +51,7 @@ impl Pose {
         Ok(Matrix7::from_diagonal(&nalgebra::SVector::from([r, r, r, t, t, t, s])))
     }
 
-    /// The rotation as a matrix.
+    /// The rotation as a matrix. From the source frame to the target frame.
     pub fn matrix(&self) -> Matrix3<f64> {
         self.rotation.to_rotation_matrix().into_inner()
     }
@@ -61,7 +61,7 @@ impl Pose {
         self.rotation * x * self.scale
     }
 
-    /// The image of a point without uncertainty.
+    /// The image of a point without uncertainty. Metres: from the source frame to the target frame.
     pub fn apply(&self, x: &Vec3) -> Vec3 {
         self.turned(x) + self.translation
     }

@@ -22,7 +22,7 @@ impl Triangle {
         point_world - self.normal * self.normal.dot(&(point_world - self.corners[0]))
     }
 
-    /// The edge that a point of its plane lies farthest beyond; `None` inside.
+    /// The edge that a point of its plane lies farthest beyond; `None` inside. World metres.
     pub fn crossed_edge(&self, point_world: &Vec3) -> Option<usize> {
         let mut worst = (-1e-9, None);
         for k in 0..3 {
@@ -36,7 +36,7 @@ impl Triangle {
         worst.1
     }
 
-    /// The place of edge `k` that is nearest to a point.
+    /// The place of edge `k` that is nearest to a point. World metres.
     pub fn on_edge(&self, k: usize, point_world: &Vec3) -> Vec3 {
         let (a, b) = (self.corners[k], self.corners[(k + 1) % 3]);
         let e = b - a;

@@ -44,17 +44,18 @@ pub struct Block {
 
 impl Samples {
     /// The spacing that `solid` really gets: wider than asked on an object that would have more than five million.
+    /// Metres.
     pub fn effective_spacing(solid: &Solid, spacing: f64) -> f64 {
         spacing.max((solid.area() / MAX_SAMPLES).sqrt())
     }
 
-    /// Bytes that the samples on `solid` will take, at least.
+    /// Bytes that the samples on `solid` will take, at least. The spacing in metres.
     pub fn expected_memory(solid: &Solid, spacing: f64) -> usize {
         (solid.area() / (spacing * spacing)).min(MAX_SAMPLES) as usize * size_of::<[f32; 3]>()
     }
 
     /// Spreads samples over `solid`, one for about every [`Samples::effective_spacing`]² of its area (m). A solid
-    /// without area has none.
+    /// without area has none. The spacing in metres.
     pub fn on(solid: &Solid, spacing: f64, interrupt: Interrupt) -> Result<Self> {
         let spacing = Self::effective_spacing(solid, spacing);
         let faces = group_faces(solid, interrupt)?;

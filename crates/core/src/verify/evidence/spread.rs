@@ -6,6 +6,7 @@ use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
 /// Spreads points over each triangle by its area. What a triangle owes or has too much is carried to the next
 /// (error diffusion), so that a fine mesh gets as many samples as a coarse one.
+/// The spacing in metres; points in world metres.
 pub fn spread(solid: &Solid, faces: &Faces, spacing: f64, interrupt: Interrupt, out: &mut [Vec<Vec3>]) -> Result<()> {
     let mut owed = 0.5;
     for (t, &face) in faces.of_triangle.iter().enumerate() {
@@ -44,7 +45,7 @@ fn r2(i: u64) -> (f64, f64) {
     (at(1.0 / PLASTIC), at(1.0 / (PLASTIC * PLASTIC)))
 }
 
-/// Orders points along a Hilbert curve in the face's plane, so that a block is compact.
+/// Orders points along a Hilbert curve in the face's plane, so that a block is compact. The spacing in metres.
 pub fn sort_along_curve(points: &mut Vec<Vec3>, normal: &Vec3, spacing: f64, interrupt: Interrupt) -> Result<()> {
     let drop = normal.iamax();
     let (i, j) = ((drop + 1) % 3, (drop + 2) % 3);

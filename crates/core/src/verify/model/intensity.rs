@@ -16,7 +16,7 @@ pub struct IntensityNoise {
 const MIN_SHARE: f32 = 1.0 / 64.0;
 
 impl IntensityNoise {
-    /// Checks the range of both.
+    /// Checks the range of both. The reference in the sensor's unit, the exponent without unit.
     pub fn new(reference: i32, exponent: f64) -> Result<Self> {
         let in_range = u16::try_from(reference).ok().filter(|r| *r > 0);
         let reference =
@@ -28,7 +28,7 @@ impl IntensityNoise {
         Ok(Self { reference, exponent: in_64ths as u8 })
     }
 
-    /// The exponent, to 1/64.
+    /// The exponent, to 1/64. Without unit.
     pub fn exponent(&self) -> f64 {
         f64::from(self.exponent) / 64.0
     }

@@ -28,13 +28,13 @@ static KERNEL: LazyLock<[u16; KERNEL_STEPS + 1]> = LazyLock::new(|| {
 const STEPS_PER_UNIT: f64 = 1024.0;
 const KERNEL_STEPS: usize = 4096;
 
-/// Whether a beam is within the kernel, by ρ²/s².
+/// Whether a beam is within the kernel, by ρ²/s². Without unit.
 #[inline(always)]
 pub fn is_within(across_squared: f32) -> bool {
     across_squared < (KERNEL_SPACINGS * KERNEL_SPACINGS) as f32
 }
 
-/// Weight of a beam within the kernel by ρ²/s², in fixed point.
+/// Weight of a beam within the kernel by ρ²/s², in fixed point. Without unit.
 #[inline(always)]
 pub fn weight(across_squared: f32) -> i64 {
     i64::from(KERNEL[(across_squared * STEPS_PER_UNIT as f32 + 0.5) as usize])
@@ -49,6 +49,7 @@ pub fn goes_on(rise: f32, lateral_squared: f32, turn_cos: f32) -> bool {
 }
 
 /// Whether a place at `offset` from the sample lies on the sample's own surface, not on a parallel one behind it.
+/// Local metres.
 pub fn same_surface(offset: &Vec3, lateral: f64, normal_there: &Vec3, normal_here: &Vec3) -> bool {
     let rise = offset.dot(normal_here).abs();
     normal_there.dot(normal_here) >= BLUNT_EDGE_COS && (rise <= MIN_RISE_M || rise <= MAX_RISE * lateral)

@@ -80,6 +80,7 @@ impl BeamOutcomes {
     }
 
     /// Slot ranges that hold all places within the image rectangle (and some around it).
+    /// In the image plane at unit distance from the scanner.
     pub fn slots_in(&self, min: [f64; 2], max: [f64; 2]) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         self.grid.slots_in(min, max)
     }

@@ -101,13 +101,13 @@ impl EvidenceModel {
         FIELDS.iter().map(|f| f.0)
     }
 
-    /// The numeric parameters, in the order of [`EvidenceModel::names`].
+    /// The numeric parameters, in the order of [`EvidenceModel::names`]. In SI units.
     pub fn numbers(&self) -> [f64; 13] {
         let mut copy = *self;
         FIELDS.map(|(_, place, ..)| *place(&mut copy))
     }
 
-    /// Sets a numeric parameter by name, checking its range.
+    /// Sets a numeric parameter by name, checking its range. In SI units.
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
         let &(what, place, min, max, expected) = FIELDS
             .iter()

@@ -27,7 +27,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// The first that tells where the surface is, and how far off; `None` where no beam met one.
+    /// The first that tells where the surface is, and how far off; `None` where no beam met one. Metres.
     pub fn on_surface(bodies: &[Self]) -> Option<(&Self, f64)> {
         bodies.iter().find_map(|b| Some((b, f64::from(b.deviation.get()?))))
     }
@@ -105,7 +105,7 @@ impl BodySum {
         }
     }
 
-    /// Adds what a station observed.
+    /// Adds what a station observed. Variances in m².
     pub fn add_station(&mut self, station: usize, o: &StationObservation, station_variance: f64) {
         // A station that is hardly trusted has hardly a say, however precise its few beams are.
         let weight = o.trust / (o.random_variance + station_variance).max(1e-12);

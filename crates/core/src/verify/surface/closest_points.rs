@@ -101,7 +101,7 @@ impl SurfacePoints {
     }
 
     /// Point-to-plane closest points (Chen & Medioni 1992), translation only, one vote a face: each point weighs
-    /// the less, the more of its face there are.
+    /// the less, the more of its face there are. Metres.
     pub fn refine(&self, start: Vec3, projector: &Matrix3<f64>) -> Option<Solution> {
         if self.built.len() < MIN_POINTS {
             return None;

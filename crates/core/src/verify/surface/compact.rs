@@ -8,7 +8,7 @@ impl CompactDeviation {
     /// No deviation.
     pub const NONE: Self = Self(f32::NAN);
 
-    /// In single precision.
+    /// In single precision. Metres.
     pub fn new(deviation: f64) -> Self {
         Self(deviation as f32)
     }

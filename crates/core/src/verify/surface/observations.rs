@@ -66,7 +66,7 @@ impl Observations {
         Ok(Self { seen, surfaces, faces, stations_of_face, in_front_unseen, bodies, beliefs })
     }
 
-    /// The body that tells where the surface is, and its deviation; `None` where no beam met one.
+    /// The body that tells where the surface is, and its deviation; `None` where no beam met one. Metres.
     pub fn surface_body(&self, s: &SeenSample) -> Option<(&Body, f64)> {
         Body::on_surface(self.bodies_of(s))
     }

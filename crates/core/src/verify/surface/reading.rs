@@ -38,7 +38,7 @@ pub struct SampleReading {
 }
 
 impl SampleReading {
-    /// Reads sample `i` of the block that these `stations` saw. Reuses its own memory.
+    /// Reads sample `i` of the block that these `stations` saw. Reuses its own memory. The position in world metres.
     pub fn read(
         &mut self,
         stations: &[(usize, &Station, &[Sums])],

@@ -59,7 +59,7 @@ impl DeviationTrend {
         self.polynomial.basis.curved
     }
 
-    /// The trend at a place.
+    /// The trend at a place. Metres.
     pub fn at(&self, o: &DeviationSample) -> f64 {
         self.polynomial.at(o)
     }
@@ -76,7 +76,7 @@ impl DeviationTrend {
         Vec3::new(offset(0), offset(1), offset(2)).norm()
     }
 
-    /// Deviation against the trend's at this place.
+    /// Deviation against the trend's at this place. Metres.
     pub fn residual(&self, o: &DeviationSample) -> f64 {
         self.polynomial.residual(o)
     }

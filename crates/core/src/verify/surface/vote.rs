@@ -33,7 +33,7 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// Iteratively re-weighted least squares (Huber) within the subspace of `projector`.
+    /// Iteratively re-weighted least squares (Huber) within the subspace of `projector`. Metres.
     pub fn of(votes: &[Vote], projector: &Matrix3<f64>) -> Option<Self> {
         let mut t = Vec3::zeros();
         let mut inverse = Matrix3::zeros();

@@ -18,6 +18,7 @@ pub struct PlannedStation {
 
 impl PlannedStation {
     /// Whether beams meet a face here at an incidence and range that count; not whether anything stands between.
+    /// World metres.
     pub fn faces(&self, position: &Vec3, normal: &Vec3, model: &EvidenceModel) -> bool {
         let sight = position - self.origin;
         let range = sight.norm();
@@ -28,6 +29,7 @@ impl PlannedStation {
 impl Evidence {
     /// Evidence as if every planned station had met the drawn surface wherever it faces it and `is_free(station,
     /// sample)` says that nothing hides it: a full kernel of beams, none of them off by more than its noise.
+    /// World metres.
     pub fn expected(
         solid: &Solid,
         model: EvidenceModel,

@@ -114,6 +114,7 @@ impl Fan {
     }
 
     /// The parts of a ray, by its number and cell, that need drawing: up to the first, and from the second on.
+    /// In voxels along the carving axis.
     pub fn drawn(&self, ray: usize, cell: usize) -> [f64; 2] {
         let near = if ray.is_multiple_of(DRAWN_NEAR) { self.origin[0] + NEAR } else { f64::NEG_INFINITY };
         [near, self.drawn[cell]]

@@ -113,7 +113,7 @@ impl SlabLine {
         }
     }
 
-    /// The part inside the tile and a slab.
+    /// The part inside the tile and a slab. In voxels along the carving axis.
     pub fn within(&self, slab: [i64; 2]) -> Option<[f64; 2]> {
         let part = [self.clipped[0].max(slab[0] as f64), self.clipped[1].min(slab[1] as f64)];
         (part[0] < part[1]).then_some(part)

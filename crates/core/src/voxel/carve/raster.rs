@@ -45,6 +45,7 @@ impl Raster {
     }
 
     /// Number of the cell that holds a slope; the nearest one for a slope beside all.
+    /// A tangent against the carving axis.
     pub fn cell(&self, slope: f64) -> usize {
         let bin = ((slope - self.edges[0]) * self.bins_per_slope).max(0.0) as usize;
         let mut cell = self.bins[bin.min(self.bins.len() - 1)] as usize;
@@ -55,18 +56,19 @@ impl Raster {
     }
 
     /// The same for a slope that lies not before the cell `start`: quick where it lies near.
+    /// Slopes are tangents against the carving axis.
     pub fn cell_from(&self, start: usize, slope: f64) -> usize {
         let near =
             (start..self.len()).take(NEARBY).find(|&cell| cell + 1 == self.len() || slope < self.edges[cell + 1]);
         near.unwrap_or_else(|| self.cell(slope))
     }
 
-    /// The slopes of cells `from` up to `end`, widened by a part of a cell.
+    /// The slopes of cells `from` up to `end`, widened by a part of a cell. Tangents against the carving axis.
     pub fn slopes(&self, [from, end]: [usize; 2], widened: f64) -> [f64; 2] {
         [self.edges[from] - widened * self.width(from), self.edges[end] + widened * self.width(end - 1)]
     }
 
-    /// The slopes of all cells.
+    /// The slopes of all cells. Tangents against the carving axis.
     pub fn all(&self, widened: f64) -> [f64; 2] {
         self.slopes([0, self.len()], widened)
     }

@@ -33,7 +33,7 @@ impl Grid {
     /// The coordinates that a lattice reaches, metres, where the tile is "all".
     pub const EVERYWHERE: Aabb = Aabb { min: [f64::NEG_INFINITY; 3], max: [f64::INFINITY; 3] };
 
-    /// Checks its numbers.
+    /// Checks its numbers. World metres.
     pub fn new(voxel: f64, tile: Aabb, margin: f64, no_return_range: f64) -> Result<Self> {
         if !(1e-4..=100.0).contains(&voxel) {
             return Err(Error::argument("the voxel size", "from 0.0001 to 100 m", voxel));

@@ -73,14 +73,14 @@ impl<'a> LocalSolid<'a> {
         Self { solid, vertices: solid.vertices().iter().map(at).collect(), low }
     }
 
-    /// The corners of a triangle.
+    /// The corners of a triangle. In voxels, from the local origin.
     pub fn corners(&self, t: usize) -> [Vec3; 3] {
         self.solid.triangles()[t].map(|i| self.vertices[i as usize])
     }
 
     /// The crossings of columns `y` in layers `z`, sorted by column and then along it. Edges are half-open and each is
     /// evaluated alike for both its triangles, so that a closed mesh is crossed an even number of times; `aside` moves
-    /// the columns off their centres.
+    /// the columns off their centres. In voxels, from the local origin.
     pub fn crossings(&self, z: [i64; 2], y: [i64; 2], aside: f64, interrupt: Interrupt) -> Result<Vec<ColumnCrossing>> {
         let mut out = Vec::new();
         for t in 0..self.solid.triangles().len() {
