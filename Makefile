@@ -48,7 +48,7 @@ bench: setup-test
 
 # Verdicts, beliefs and intervals against simulated buildings whose truth is known: writes docs/truth.md and its pictures.
 truth: setup
-	cargo run --release --quiet -p asbuilt-truth -- --report docs/truth.md
+	cargo run --release --quiet -p asbuilt-validation -- --report docs/truth.md
 
 lint:
 	cargo fmt --all --check

@@ -5,8 +5,8 @@ cd "$(dirname "$0")/.."
 echo "test: core"
 cargo test --quiet -p asbuilt-core
 echo "test: simulator and truth (short form)"
-cargo test --quiet --release -p asbuilt-simulate -p asbuilt-truth
-cargo run --quiet --release -p asbuilt-truth -- --short
+cargo test --quiet --release -p asbuilt-simulate -p asbuilt-validation
+cargo run --quiet --release -p asbuilt-validation -- --short
 echo "test: program"
 cargo test --quiet --release -p asbuilt-cli
 scripts/install.sh
