@@ -2,14 +2,16 @@
 //! for views that were made with them, and its own SQL runs until it is updated.
 
 use asbuilt_core::Result;
+use asbuilt_core::evidence::Loa;
+use asbuilt_core::geometry::Aabb;
 use asbuilt_core::num::bytes::Reader;
+use asbuilt_core::uncertain::Point;
 use asbuilt_core::verify::{EvidenceModel, Shift, Summary};
 
-use crate::aggregates::evidence::{absorb_patch, absorb_tie_point};
-use crate::pg::{Account, Args, Field, Rows, SqlValue, sql_functions};
-use crate::types::evidence::header;
-use crate::types::overlap::{of_box, of_scan};
-use crate::types::{Given, beams, shift_arg, summary_arg, summary_fields};
+use crate::aggregates::evidence::{Gathering, absorb_patch, absorb_tie_point};
+use crate::pg::{Account, Backend, Declared, F64Array, Field, FixedModel, Message, SqlValue, TextInput, sql_functions};
+use crate::types::overlap::of_scan;
+use crate::types::{EvidenceArg, Given, ScanArg, SolidArg, beams, summary, summary_fields};
 
 /// The fixed-length form of the parameters: `ab_evidence_model_010`, once `ab_evidence_model`.
 fn fixed(m: &EvidenceModel) -> Result<SqlValue> {
@@ -25,13 +27,13 @@ fn parse(bytes: &[u8]) -> Result<EvidenceModel> {
     Ok(model)
 }
 
-/// The model in argument `i`; the default when it is NULL.
-fn fixed_arg(args: &Args, i: usize) -> Result<EvidenceModel> {
-    if args.is_null(i) { Ok(EvidenceModel::default()) } else { parse(&args.fixed::<{ EvidenceModel::LEN }>(i)) }
+/// The model of an argument; the default when it is NULL.
+fn or_default(model: Option<FixedModel>) -> Result<EvidenceModel> {
+    model.map_or_else(|| Ok(EvidenceModel::default()), |m| parse(&m.0))
 }
 
 /// The columns of `ab_summary`, the last of them a text: `(+0.0121, -, +0.0003) +/- (0.0004, -, 0.0005)`.
-fn summary(s: &Summary) -> Vec<Field> {
+fn summary_row(s: &Summary) -> Vec<Field> {
     let mut fields = summary_fields(s);
     fields.push(Field::or_null(s.shift.as_ref(), |t| Field::Text(t.to_text())));
     fields
@@ -43,41 +45,78 @@ fn shift(t: &Shift) -> Vec<Field> {
     (0..3).map(|i| axis(i, t.vector[i])).chain((0..3).map(|i| axis(i, t.sd(i)))).collect()
 }
 
-sql_functions! {
-    on Account::Evidence;
+/// What takes memory for evidence.
+mod evidence {
+    use super::*;
 
-    fn ab_evidence_accum(args) { absorb_patch(args, fixed_arg) }
+    sql_functions! {
+        on Account::Evidence;
 
-    fn ab_evidence_accum_point(args) { absorb_tie_point(args, fixed_arg) }
+        fn ab_evidence_accum(
+            state: Gathering, solid: Option<SolidArg>, patch: Option<ScanArg>, model: Option<FixedModel>,
+        ) {
+            absorb_patch(state, solid, patch, || or_default(model))
+        }
 
-    fn ab_summary(args) { Ok(summary_arg(args)?.map_or(SqlValue::Null, |s| SqlValue::Row(summary(&s)))) }
+        fn ab_evidence_accum_point(
+            state: Gathering, solid: Option<SolidArg>, point: Option<Point>, cameras: Option<F64Array>,
+            model: Option<FixedModel>,
+        ) {
+            absorb_tie_point(state, solid, point, cameras, || or_default(model))
+        }
 
-    fn ab_shift(args) { Ok(shift_arg(args)?.map_or(SqlValue::Null, |t| SqlValue::Row(shift(&t)))) }
+        fn ab_summary(
+            evidence: EvidenceArg, loa: Option<Loa>, confidence: Option<f64>,
+            min_confirmed: Option<f64>, min_coverage: Option<f64>, max_conflict: Option<f64>,
+        ) {
+            let thresholds = [min_confirmed, min_coverage, max_conflict];
+            Ok(SqlValue::Row(summary_row(&summary(&evidence, loa, confidence, thresholds)?)))
+        }
+
+        fn ab_shift(evidence: Option<EvidenceArg>) {
+            let Some(evidence) = evidence else { return Ok(SqlValue::Null) };
+            let offset = evidence.read()?.rigid_shift(&Backend)?;
+            Ok(offset.map_or(SqlValue::Null, |t| SqlValue::Row(shift(&t))))
+        }
+    }
 }
 
 sql_functions! {
-    fn ab_evidence_model_in(args) { fixed(&EvidenceModel::from_text(&args.cstring(0))?) }
+    fn ab_evidence_model_in(text: TextInput) { fixed(&EvidenceModel::from_text(&text.text())?) }
 
-    fn ab_evidence_model_out(args) { Ok(SqlValue::CString(fixed_arg(args, 0)?.to_text())) }
+    fn ab_evidence_model_out(model: FixedModel) { Ok(SqlValue::CString(parse(&model.0)?.to_text())) }
 
-    fn ab_evidence_model_recv(args) { fixed(&parse(args.message(0))?) }
+    fn ab_evidence_model_recv(message: Message) { fixed(&parse(message.rest())?) }
 
-    fn ab_evidence_model_send(args) { Ok(SqlValue::Bytes(args.fixed::<{ EvidenceModel::LEN }>(0).to_vec())) }
+    fn ab_evidence_model_send(model: FixedModel) { Ok(SqlValue::Bytes(model.0.to_vec())) }
 
-    fn ab_evidence_model_make(args) { fixed(&Given::from_args(args)?.model) }
+    fn ab_evidence_model_make(
+        loa: Option<Loa>, model: Option<String>, spacing: Option<f64>, sigma_range: Option<f64>,
+        sigma_angle: Option<f64>, sigma_station: Option<f64>, sigma_model: Option<f64>, confidence: Option<f64>,
+        reliability: Option<f64>, max_incidence: Option<f64>, no_return_range: Option<f64>,
+        no_return_weight: Option<f64>, kappa: Option<f64>, lambda: Option<f64>, c: Option<f64>,
+    ) {
+        let numbers = [
+            spacing, sigma_range, sigma_angle, sigma_station, sigma_model, confidence, reliability, max_incidence,
+            no_return_range, no_return_weight, kappa, lambda, c,
+        ];
+        fixed(&Given::of(loa, model, &numbers)?.model)
+    }
 
-    fn ab_evidence_get_model(args) { fixed(&header(args)?.model) }
+    fn ab_evidence_get_model(evidence: EvidenceArg) { fixed(&evidence.header()?.model) }
 
     /// The cast to today's type: all parameters count as given.
-    fn ab_evidence_model_renewed(args) { Given::all(fixed_arg(args, 0)?).ret() }
+    fn ab_evidence_model_renewed(model: FixedModel) { Given::all(parse(&model.0)?).ret() }
 
     /// Without intensity and colour.
-    fn ab_scan_beams(args) {
-        let mut rows = Rows::new(args)?;
-        beams(args, |beam| rows.push(&beam[..4]))?;
+    fn ab_scan_beams(rows: Rows; patch: ScanArg) {
+        beams(&patch, |beam| rows.push(&beam[..4]))?;
         Ok(SqlValue::Null)
     }
 
     /// From the hull of a patch, not from its returns.
-    fn ab_scan_distance(args) { Ok(SqlValue::F64(of_scan(args, 0)?.distance(&of_box(args, 1)?))) }
+    fn ab_scan_distance(a: ScanArg, b: Aabb) { Ok(SqlValue::F64(of_scan(&a)?.distance(&b))) }
 }
+
+/// What SQL is to declare.
+pub const ALL_DECLARED: &[&[Declared]] = &[DECLARED, evidence::DECLARED];

@@ -8,6 +8,7 @@
 //! * [`gist`]: index support; the algorithms on boxes are core's;
 //! * [`settings`]: what `SET` and `SHOW` know;
 //! * [`compat`]: what the SQL of 0.1.0 calls and today's does not;
+//! * [`declared`]: what they all expect SQL to declare;
 //! * [`error`]: the one map from core's errors to SQLSTATE and hint;
 //! * [`pg`]: the only place that touches PostgreSQL's memory.
 //!
@@ -16,6 +17,7 @@
 
 mod aggregates;
 mod compat;
+mod declared;
 mod error;
 mod gist;
 mod pg;

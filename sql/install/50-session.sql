@@ -10,3 +10,8 @@ CREATE FUNCTION ab_memory(from_now boolean DEFAULT false) RETURNS ab_memory_row
 COMMENT ON FUNCTION ab_memory(boolean) IS
     'Bytes that asbuilt''s values and work take in this session''s process now, and the most they ever took; '
     'from_now begins the peak anew. What PostgreSQL itself holds of them (rows, results) is not counted';
+
+CREATE FUNCTION _ab_declared(OUT symbol text, OUT parameters text) RETURNS SETOF record
+    AS 'MODULE_PATHNAME', 'ab_declared' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
+COMMENT ON FUNCTION _ab_declared() IS
+    'The parameters that each C function of asbuilt expects to be declared with: types, with ? where NULL is a value';

@@ -1,21 +1,20 @@
 //! `ab_evidence_agg(solid, patch, model)` and `ab_rollup_agg(evidence)`.
 
 use asbuilt_core::error::Mismatch;
-use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::scan::Header;
+use asbuilt_core::geometry::Vec3;
+use asbuilt_core::uncertain::Point;
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Account, AggState, Args, Backend, SqlValue, aggregate_state, deserialised_state, sql_functions};
-use crate::types::model_arg;
-use crate::types::uncertain::value;
-
-/// Reads the model in an argument.
-pub type ModelArg = fn(&Args, usize) -> Result<EvidenceModel>;
+use crate::pg::{
+    Account, AggState, Backend, Bytea, F64Array, Internal, SqlValue, StateOrNew, Varlena, deserialised_state,
+    sql_functions,
+};
+use crate::types::{EvidenceArg, ModelArg, ScanArg, SolidArg, model_or_default};
 
 /// Evidence about one solid, gathered by one worker.
 #[derive(Default)]
-enum State {
+pub enum State {
     /// No row with a solid yet.
     #[default]
     Empty,
@@ -25,7 +24,7 @@ enum State {
     Merged(Box<Evidence>),
 }
 
-struct Collecting {
+pub struct Collecting {
     collector: Collector,
     /// The arguments as they were in the first row; the same bytes mean the same value.
     raw_solid: Vec<u8>,
@@ -54,15 +53,14 @@ impl State {
         }
     }
 
-    /// The collector for the row's solid (argument 1) and model, made at the first row.
-    fn collecting(&mut self, args: &Args, model: EvidenceModel) -> Result<&mut Collector> {
+    /// The collector for the row's solid and model, made at the first row.
+    fn collecting(&mut self, solid: &SolidArg, model: EvidenceModel) -> Result<&mut Collector> {
         if matches!(self, Self::Empty) {
-            let solid = Solid::from_stored(args.bytes(1), &Backend)?;
-            let collector = Collector::new(&solid, model, &Backend)?;
-            *self = Self::Collecting(Box::new(Collecting { collector, raw_solid: args.raw(1).to_vec(), model }));
+            let collector = Collector::new(&solid.read()?, model, &Backend)?;
+            *self = Self::Collecting(Box::new(Collecting { collector, raw_solid: solid.raw().to_vec(), model }));
         }
         match self {
-            Self::Collecting(c) if c.raw_solid != args.raw(1) && !same_solid(&c.collector, args)? => {
+            Self::Collecting(c) if c.raw_solid != solid.raw() && !same_solid(&c.collector, solid)? => {
                 Err(Error::Mismatch(Mismatch::GroupOfSolids))
             }
             Self::Collecting(c) if c.model != model => Err(Error::Mismatch(Mismatch::GroupOfModels)),
@@ -73,87 +71,104 @@ impl State {
 }
 
 /// Unequal bytes may still be the same solid, stored differently.
-fn same_solid(collector: &Collector, args: &Args) -> Result<bool> {
-    Ok(collector.evidence().fingerprint() == Solid::from_stored(args.bytes(1), &Backend)?.fingerprint(&Backend)?)
+fn same_solid(collector: &Collector, solid: &SolidArg) -> Result<bool> {
+    Ok(collector.evidence().fingerprint() == solid.read()?.fingerprint(&Backend)?)
 }
 
-fn state(args: &Args, i: usize) -> Result<AggState<State>> {
-    aggregate_state(args, i, || Ok(State::default()))
-}
+/// The state of the aggregate, at a row.
+pub type Gathering = StateOrNew<State>;
 
-/// transition(state, solid, patch, model): a NULL patch adds nothing, but the object is there.
-pub fn absorb_patch(args: &Args, model: ModelArg) -> Result<SqlValue> {
-    let mut state = state(args, 0)?;
-    if !args.is_null(1) {
-        let collector = state.get().collecting(args, model(args, 3)?)?;
-        if !args.is_null(2) && collector.concerns(&Header::read(args.prefix(2, Header::LEN))?) {
-            collector.absorb(args.bytes(2), &Backend)?;
+/// A NULL patch adds nothing, but the object is there. `model` is asked for where there is a solid.
+pub fn absorb_patch(
+    mut state: Gathering,
+    solid: Option<SolidArg>,
+    patch: Option<ScanArg>,
+    model: impl FnOnce() -> Result<EvidenceModel>,
+) -> Result<SqlValue> {
+    if let Some(solid) = solid {
+        let collector = state.0.get().collecting(&solid, model()?)?;
+        if let Some(patch) = patch
+            && collector.concerns(&patch.header()?)
+        {
+            collector.absorb(patch.bytes(), &Backend)?;
         }
     }
-    Ok(state.ret())
+    Ok(state.0.ret())
 }
 
-/// transition(state, solid, tie point, cameras, model): a NULL point adds nothing; without cameras it has no rays.
-pub fn absorb_tie_point(args: &Args, model: ModelArg) -> Result<SqlValue> {
-    let mut state = state(args, 0)?;
-    if !args.is_null(1) {
-        let collector = state.get().collecting(args, model(args, 4)?)?;
-        if !args.is_null(2) {
-            let cameras = if args.is_null(3) { Vec::new() } else { args.f64_triples(3, "the cameras")? };
+/// A NULL point adds nothing; without cameras it has no rays.
+pub fn absorb_tie_point(
+    mut state: Gathering,
+    solid: Option<SolidArg>,
+    point: Option<Point>,
+    cameras: Option<F64Array>,
+    model: impl FnOnce() -> Result<EvidenceModel>,
+) -> Result<SqlValue> {
+    if let Some(solid) = solid {
+        let collector = state.0.get().collecting(&solid, model()?)?;
+        if let Some(point) = point {
+            let cameras = cameras.map_or(Ok(Vec::new()), |c| c.triples("the cameras"))?;
             if let Some(c) = cameras.iter().flatten().find(|c| !c.is_finite()) {
                 return Err(Error::argument("a camera's coordinate", "finite", c));
             }
             let cameras: Vec<Vec3> = cameras.into_iter().map(Vec3::from).collect();
-            collector.absorb_tie_point(&value(args, 2), &cameras, &Backend)?;
+            collector.absorb_tie_point(&point, &cameras, &Backend)?;
         }
     }
-    Ok(state.ret())
+    Ok(state.0.ret())
 }
 
 sql_functions! {
     on Account::Evidence;
 
-    fn ab_model_accum(args) { absorb_patch(args, model_arg) }
+    fn ab_model_accum(
+        state: Gathering, solid: Option<SolidArg>, patch: Option<ScanArg>, model: Option<ModelArg>,
+    ) {
+        absorb_patch(state, solid, patch, || model_or_default(model.as_ref()))
+    }
 
-    fn ab_model_accum_point(args) { absorb_tie_point(args, model_arg) }
+    fn ab_model_accum_point(
+        state: Gathering, solid: Option<SolidArg>, point: Option<Point>, cameras: Option<F64Array>,
+        model: Option<ModelArg>,
+    ) {
+        absorb_tie_point(state, solid, point, cameras, || model_or_default(model.as_ref()))
+    }
 
-    fn ab_evidence_combine(args) {
-        let mut left = state(args, 0)?;
-        if !args.is_null(1)
-            && let Some(right) = state(args, 1)?.get().evidence()
+    fn ab_evidence_combine(left: Gathering, right: Option<AggState<State>>) {
+        let mut left = left.0;
+        if let Some(mut right) = right
+            && let Some(right) = right.get().evidence()
         {
             left.get().merge(right)?;
         }
         Ok(left.ret())
     }
 
-    fn ab_evidence_serial(args) {
-        let mut state = state(args, 0)?;
+    fn ab_evidence_serial(state: AggState<State>) {
+        let mut state = state;
         let bytes = state.get().evidence().map(|e| e.to_bytes(&Backend)).transpose()?;
         Ok(SqlValue::Bytes(bytes.unwrap_or_default()))
     }
 
-    fn ab_evidence_deserial(args) {
-        let state = match args.bytes(0) {
+    fn ab_evidence_deserial(bytes: Varlena<Bytea>, dummy: Internal) {
+        let state = match bytes.bytes() {
             [] => State::Empty,
             bytes => State::Merged(Box::new(Evidence::from_bytes(bytes, &Backend)?)),
         };
         Ok(deserialised_state(state).ret())
     }
 
-    fn ab_evidence_final(args) {
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        let bytes = state(args, 0)?.get().evidence().map(|e| e.to_bytes(&Backend)).transpose()?;
+    fn ab_evidence_final(state: Option<AggState<State>>) {
+        let Some(mut state) = state else { return Ok(SqlValue::Null) };
+        let bytes = state.get().evidence().map(|e| e.to_bytes(&Backend)).transpose()?;
         Ok(bytes.map_or(SqlValue::Null, SqlValue::Bytes))
     }
 
-    /// transition(state, evidence) of ab_rollup_agg.
-    fn ab_rollup_accum(args) {
-        let mut state = state(args, 0)?;
-        if !args.is_null(1) {
-            state.get().merge(&Evidence::from_bytes(args.bytes(1), &Backend)?)?;
+    /// The transition of ab_rollup_agg.
+    fn ab_rollup_accum(state: Gathering, evidence: Option<EvidenceArg>) {
+        let mut state = state.0;
+        if let Some(evidence) = evidence {
+            state.get().merge(&evidence.read()?)?;
         }
         Ok(state.ret())
     }

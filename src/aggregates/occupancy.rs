@@ -1,26 +1,29 @@
 //! `ab_occupancy_agg(patch, grid)` and `ab_rollup_agg(occupancy)`.
 
 use asbuilt_core::error::LatticeMismatch;
-use asbuilt_core::scan::Header;
 use asbuilt_core::voxel::Occupancy;
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Account, AggState, Args, Backend, SqlValue, aggregate_state, deserialised_state, sql_functions};
-use crate::types::grid_arg;
+use crate::pg::{
+    Account, AggState, Backend, Bytea, Internal, SqlValue, StateOrNew, Varlena, deserialised_state, sql_functions,
+};
+use crate::types::{GridArg, OccupancyArg, ScanArg};
 
 /// Occupancy gathered by one worker.
 #[derive(Default)]
 struct State(Option<Occupancy>);
 
 impl State {
-    fn absorb(&mut self, args: &Args) -> Result<()> {
-        let grid = grid_arg(args, 2)?;
+    fn absorb(&mut self, patch: Option<ScanArg>, grid: &GridArg) -> Result<()> {
+        let grid = grid.read()?;
         let occupancy = self.0.get_or_insert_with(|| Occupancy::new(grid));
         if *occupancy.grid() != grid {
             return Err(Error::Lattice(LatticeMismatch::GroupOfGrids(occupancy.grid().to_text(), grid.to_text())));
         }
-        if !args.is_null(1) && occupancy.concerns(&Header::read(args.prefix(1, Header::LEN))?) {
-            occupancy.absorb(args.bytes(1), &Backend)?;
+        if let Some(patch) = patch
+            && occupancy.concerns(&patch.header()?)
+        {
+            occupancy.absorb(patch.bytes(), &Backend)?;
         }
         Ok(())
     }
@@ -40,56 +43,51 @@ impl State {
     }
 }
 
-fn state(args: &Args, i: usize) -> Result<AggState<State>> {
-    aggregate_state(args, i, || Ok(State::default()))
-}
-
 sql_functions! {
     on Account::Grid;
 
-    /// transition(state, patch, grid): a NULL patch adds nothing; a row without a grid is ignored.
-    fn ab_occupancy_accum(args) {
-        let mut state = state(args, 0)?;
-        if !args.is_null(2) {
-            state.get().absorb(args)?;
+    /// A NULL patch adds nothing; a row without a grid is ignored.
+    fn ab_occupancy_accum(state: StateOrNew<State>, patch: Option<ScanArg>, grid: Option<GridArg>) {
+        let mut state = state.0;
+        if let Some(grid) = grid {
+            state.get().absorb(patch, &grid)?;
         }
         Ok(state.ret())
     }
 
-    fn ab_occupancy_combine(args) {
-        let mut left = state(args, 0)?;
-        if !args.is_null(1)
-            && let Some(taken) = state(args, 1)?.get().0.take()
+    fn ab_occupancy_combine(left: StateOrNew<State>, right: Option<AggState<State>>) {
+        let mut left = left.0;
+        if let Some(mut right) = right
+            && let Some(taken) = right.get().0.take()
         {
             left.get().merge(taken)?;
         }
         Ok(left.ret())
     }
 
-    fn ab_occupancy_serial(args) {
-        Ok(SqlValue::Bytes(state(args, 0)?.get().to_bytes()?.unwrap_or_default()))
+    fn ab_occupancy_serial(state: AggState<State>) {
+        let mut state = state;
+        Ok(SqlValue::Bytes(state.get().to_bytes()?.unwrap_or_default()))
     }
 
-    fn ab_occupancy_deserial(args) {
+    fn ab_occupancy_deserial(bytes: Varlena<Bytea>, dummy: Internal) {
         let mut state = State::default();
-        if !args.bytes(0).is_empty() {
-            state.merge(Occupancy::from_bytes(args.bytes(0), &Backend)?)?;
+        if !bytes.bytes().is_empty() {
+            state.merge(Occupancy::from_bytes(bytes.bytes(), &Backend)?)?;
         }
         Ok(deserialised_state(state).ret())
     }
 
-    fn ab_occupancy_final(args) {
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        Ok(state(args, 0)?.get().to_bytes()?.map_or(SqlValue::Null, SqlValue::Bytes))
+    fn ab_occupancy_final(state: Option<AggState<State>>) {
+        let Some(mut state) = state else { return Ok(SqlValue::Null) };
+        Ok(state.get().to_bytes()?.map_or(SqlValue::Null, SqlValue::Bytes))
     }
 
-    /// transition(state, occupancy) of ab_rollup_agg.
-    fn ab_occupancy_rollup_accum(args) {
-        let mut state = state(args, 0)?;
-        if !args.is_null(1) {
-            state.get().merge(Occupancy::from_bytes(args.bytes(1), &Backend)?)?;
+    /// The transition of ab_rollup_agg.
+    fn ab_occupancy_rollup_accum(state: StateOrNew<State>, occupancy: Option<OccupancyArg>) {
+        let mut state = state.0;
+        if let Some(occupancy) = occupancy {
+            state.get().merge(occupancy.read()?)?;
         }
         Ok(state.ret())
     }

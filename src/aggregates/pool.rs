@@ -1,35 +1,38 @@
 //! `ab_combine_agg`: any number of masses by one rule.
 
-use asbuilt_core::Result;
-use asbuilt_core::evidence::{Pool, Rule};
+use asbuilt_core::evidence::{Mass, Pool, Rule};
 
-use crate::pg::{AggState, Args, SqlValue, aggregate_state, deserialised_state, sql_functions};
-use crate::types::{mass_arg, mass_ret};
+use crate::pg::{AggState, Bytea, Internal, SqlValue, Varlena, deserialised_state, sql_functions, state_or_new};
+use crate::types::mass_ret;
 
-fn state(args: &Args, i: usize, rule: Rule) -> Result<AggState<Pool>> {
-    aggregate_state(args, i, || Pool::new(rule))
+type State = AggState<Pool>;
+
+/// The state, left as it is.
+fn unchanged(state: Option<State>) -> SqlValue {
+    state.map_or(SqlValue::Null, |s| s.ret())
 }
 
 sql_functions! {
-    /// transition(state, mass): a NULL mass adds nothing.
-    fn ab_combine_accum(args) {
-        let mut state = state(args, 0, Rule::Dempster)?;
-        if !args.is_null(1) {
-            state.get().add(&mass_arg(args, 1))?;
+    /// A NULL mass adds nothing.
+    fn ab_combine_accum(call: Call; state: Option<State>, mass: Option<Mass>) {
+        let mut state = state_or_new(call, state, || Pool::new(Rule::Dempster))?;
+        if let Some(mass) = mass {
+            state.get().add(&mass)?;
         }
         Ok(state.ret())
     }
 
-    /// transition(state, mass, rule[, reliability]): a NULL among them adds nothing.
-    fn ab_combine_accum_by(args) {
-        if (1..args.len()).any(|i| args.is_null(i)) {
-            return Ok(if args.is_null(0) { SqlValue::Null } else { state(args, 0, Rule::Dempster)?.ret() });
-        }
-        let rule = Rule::parse(&args.text(2))?;
-        let mut state = state(args, 0, rule)?;
-        let mut mass = mass_arg(args, 1);
-        if args.len() > 3 {
-            mass = mass.discount(args.f64(3))?;
+    /// A NULL among the arguments adds nothing; the reliability may be missing.
+    fn ab_combine_accum_by(
+        call: Call; state: Option<State>, mass: Option<Mass>, rule: Option<String>, reliability: Option<f64>
+    ) {
+        let (Some(mut mass), Some(rule), true) = (mass, rule, call.len() == 3 || reliability.is_some()) else {
+            return Ok(unchanged(state));
+        };
+        let rule = Rule::parse(&rule)?;
+        let mut state = state_or_new(call, state, || Pool::new(rule))?;
+        if let Some(reliability) = reliability {
+            mass = mass.discount(reliability)?;
         }
         if state.get().rule() != rule {
             return Err(Pool::other_rule(state.get().rule(), rule));
@@ -38,25 +41,26 @@ sql_functions! {
         Ok(state.ret())
     }
 
-    fn ab_combine_merge(args) {
-        if args.is_null(1) {
-            return Ok(if args.is_null(0) { SqlValue::Null } else { state(args, 0, Rule::Dempster)?.ret() });
-        }
-        let right = *state(args, 1, Rule::Dempster)?.get();
-        let mut left = state(args, 0, right.rule())?;
+    fn ab_combine_merge(call: Call; left: Option<State>, right: Option<State>) {
+        let Some(mut right) = right else { return Ok(unchanged(left)) };
+        let right = *right.get();
+        let mut left = state_or_new(call, left, || Pool::new(right.rule()))?;
         left.get().merge(&right)?;
         Ok(left.ret())
     }
 
-    fn ab_combine_serial(args) { Ok(SqlValue::Bytes(state(args, 0, Rule::Dempster)?.get().to_bytes())) }
+    fn ab_combine_serial(state: State) {
+        let mut state = state;
+        Ok(SqlValue::Bytes(state.get().to_bytes()))
+    }
 
-    fn ab_combine_deserial(args) { Ok(deserialised_state(Pool::from_bytes(args.bytes(0))?).ret()) }
+    fn ab_combine_deserial(bytes: Varlena<Bytea>, dummy: Internal) {
+        Ok(deserialised_state(Pool::from_bytes(bytes.bytes())?).ret())
+    }
 
-    fn ab_combine_final(args) {
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        match state(args, 0, Rule::Dempster)?.get().mass()? {
+    fn ab_combine_final(state: Option<State>) {
+        let Some(mut state) = state else { return Ok(SqlValue::Null) };
+        match state.get().mass()? {
             Some(m) => mass_ret(&m),
             None => Ok(SqlValue::Null),
         }

@@ -4,58 +4,74 @@ use asbuilt_core::Result;
 use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::{PatchBuilder, Return};
 
-use crate::pg::{AggState, Args, Backend, SqlValue, aggregate_state, deserialised_state, sql_functions};
+use crate::pg::{
+    AggState, Args, Backend, Bytea, F64Array, I32Array, Internal, SqlValue, StateOrNew, Varlena, deserialised_state,
+    sql_functions,
+};
 use crate::types::planes::{one_colour, one_intensity};
 
-fn state(args: &Args, i: usize) -> Result<AggState<PatchBuilder>> {
-    aggregate_state(args, i, || Ok(PatchBuilder::default()))
-}
+/// The state of the aggregate, at a row.
+type Building = StateOrNew<PatchBuilder>;
 
-/// The row (x, y, z, [origin,] [station [, intensity [, colour]]]) behind the state, and its station.
-fn row(args: &Args, with_origin: bool) -> Result<(i64, Return)> {
-    let has = |i: usize| args.len() > i;
-    let next = if with_origin { 5 } else { 4 };
-    let origin = (with_origin && has(4)).then(|| args.vector::<3>(4, "the origin")).transpose()?;
-    let station = if has(next) { args.i64(next) } else { 0 };
-    let intensity = has(next + 1).then(|| one_intensity(args.i32(next + 1))).transpose()?;
-    let colour =
-        has(next + 2).then(|| args.i32_vector::<3>(next + 2, "the colour").and_then(one_colour)).transpose()?;
-    let point = Vec3::new(args.f64(1), args.f64(2), args.f64(3));
-    Ok((station, Return { point, origin: origin.map(Vec3::from), intensity, colour }))
+/// What a row may tell beside its point; what the aggregate was not given is `None`.
+struct Told<'a> {
+    origin: Option<F64Array<'a>>,
+    station: Option<i64>,
+    intensity: Option<i32>,
+    colour: Option<I32Array<'a>>,
 }
 
 /// A row with a NULL adds nothing.
-fn accumulate(args: &Args, with_origin: bool) -> Result<SqlValue> {
-    let mut state = state(args, 0)?;
-    if !(1..args.len()).any(|i| args.is_null(i)) {
-        let (station, row) = row(args, with_origin)?;
-        state.get().push(station, &row, &Backend)?;
-    }
+fn accumulate(call: &Args, state: Building, point: [Option<f64>; 3], told: Told) -> Result<SqlValue> {
+    let mut state = state.0;
+    let ([Some(x), Some(y), Some(z)], false) = (point, (1..call.len()).any(|i| call.is_null(i))) else {
+        return Ok(state.ret());
+    };
+    let row = Return {
+        point: Vec3::new(x, y, z),
+        origin: told.origin.map(|o| o.vector::<3>("the origin")).transpose()?.map(Vec3::from),
+        intensity: told.intensity.map(one_intensity).transpose()?,
+        colour: told.colour.map(|c| c.vector::<3>("the colour").and_then(one_colour)).transpose()?,
+    };
+    state.get().push(told.station.unwrap_or(0), &row, &Backend)?;
     Ok(state.ret())
 }
 
 sql_functions! {
-    fn ab_scan_accum(args) { accumulate(args, true) }
+    fn ab_scan_accum(
+        call: Call; state: Building, x: Option<f64>, y: Option<f64>, z: Option<f64>, origin: Option<F64Array>,
+        station: Option<i64>, intensity: Option<i32>, colour: Option<I32Array>
+    ) {
+        accumulate(call, state, [x, y, z], Told { origin, station, intensity, colour })
+    }
 
-    fn ab_cloud_accum(args) { accumulate(args, false) }
+    fn ab_cloud_accum(
+        call: Call; state: Building, x: Option<f64>, y: Option<f64>, z: Option<f64>,
+        station: Option<i64>, intensity: Option<i32>, colour: Option<I32Array>
+    ) {
+        accumulate(call, state, [x, y, z], Told { origin: None, station, intensity, colour })
+    }
 
-    fn ab_scan_combine(args) {
-        let mut left = state(args, 0)?;
-        if !args.is_null(1) {
-            left.get().merge(state(args, 1)?.get(), &Backend)?;
+    fn ab_scan_combine(left: Building, right: Option<AggState<PatchBuilder>>) {
+        let mut left = left.0;
+        if let Some(mut right) = right {
+            left.get().merge(right.get(), &Backend)?;
         }
         Ok(left.ret())
     }
 
-    fn ab_scan_serial(args) { Ok(SqlValue::Bytes(state(args, 0)?.get().to_bytes(&Backend)?)) }
+    fn ab_scan_serial(state: AggState<PatchBuilder>) {
+        let mut state = state;
+        Ok(SqlValue::Bytes(state.get().to_bytes(&Backend)?))
+    }
 
-    fn ab_scan_deserial(args) { Ok(deserialised_state(PatchBuilder::from_bytes(args.bytes(0), &Backend)?).ret()) }
+    fn ab_scan_deserial(bytes: Varlena<Bytea>, dummy: Internal) {
+        Ok(deserialised_state(PatchBuilder::from_bytes(bytes.bytes(), &Backend)?).ret())
+    }
 
-    fn ab_scan_final(args) {
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        let patches = state(args, 0)?.get().patches(&Backend)?;
+    fn ab_scan_final(state: Option<AggState<PatchBuilder>>) {
+        let Some(mut state) = state else { return Ok(SqlValue::Null) };
+        let patches = state.get().patches(&Backend)?;
         Ok(SqlValue::VarlenaArray(patches.iter().map(|p| p.to_bytes()).collect()))
     }
 }

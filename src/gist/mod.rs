@@ -6,8 +6,10 @@ use asbuilt_core::scan::Header;
 use asbuilt_core::uncertain::{Line, Point, Stored};
 use asbuilt_core::voxel::TileHeader;
 
-use crate::pg::{Args, KeyVector, PickSplit, Place, SqlValue, sorted_by, sql_functions};
-use crate::types::overlap::{INDEX_SIGMAS, near_solid, of_box, of_point, of_scan, of_solid, of_tile, place, tile_box};
+use crate::pg::{
+    Answer, Entry, GistQuery, Internal, KeyVector, Oid, PickSplit, Place, SqlValue, sorted_by, sql_functions,
+};
+use crate::types::overlap::{INDEX_SIGMAS, near_solid, of_point, of_scan, of_solid, of_tile, place, tile_box};
 use crate::types::{BOX_LEN, box_bytes, box_from};
 
 /// Strategy numbers: `&&` with each right-hand type, the same in every opclass.
@@ -25,29 +27,24 @@ const SAME: i16 = 12;
 /// `<->` with a box (13) or a point.
 const DISTANCE_TO_POINT: i16 = 14;
 
-fn key(args: &Args, i: usize) -> Aabb {
-    box_from(&args.entry_key::<BOX_LEN>(i))
-}
-
-fn query(args: &Args, strategy: i16) -> asbuilt_core::Result<Aabb> {
+fn query(query: &GistQuery, strategy: i16) -> asbuilt_core::Result<Aabb> {
     match strategy {
-        OVERLAPS_BOX | CONTAINS | CONTAINED | SAME => of_box(args, 1),
-        OVERLAPS_SOLID => of_solid(args, 1),
-        OVERLAPS_SCAN => of_scan(args, 1),
-        OVERLAPS_POINT => of_point(args, 1),
-        POINT_OVERLAPS_SOLID => near_solid(args, 1),
-        OVERLAPS_OCCUPANCY | OVERLAPS_CHANGE => of_tile(args, 1),
+        OVERLAPS_BOX | CONTAINS | CONTAINED | SAME => query.of(),
+        OVERLAPS_SOLID => of_solid(&query.of()?),
+        OVERLAPS_SCAN => of_scan(&query.of()?),
+        OVERLAPS_POINT => of_point(&query.of()?),
+        POINT_OVERLAPS_SOLID => near_solid(&query.of()?),
+        OVERLAPS_OCCUPANCY | OVERLAPS_CHANGE => of_tile(&query.of()?),
         other => Err(asbuilt_core::Error::argument("the GiST strategy", "1 to 7 or 10 to 12", other)),
     }
 }
 
-fn nearest(args: &Args, recheck: bool) -> asbuilt_core::Result<SqlValue> {
-    args.set_flag(4, recheck);
-    let query = match args.i16(2) {
-        DISTANCE_TO_POINT => place(args, 1)?,
-        _ => of_box(args, 1)?,
+fn nearest(entry: &Entry, query: &GistQuery, strategy: i16) -> asbuilt_core::Result<SqlValue> {
+    let query = match strategy {
+        DISTANCE_TO_POINT => place(&query.of()?),
+        _ => query.of()?,
     };
-    Ok(SqlValue::F64(key(args, 0).distance(&query)))
+    Ok(SqlValue::F64(entry.key().distance(&query)))
 }
 
 /// Keys of a sorted build lie along a Hilbert curve.
@@ -60,78 +57,76 @@ impl Place<BOX_LEN> for Curve {
 }
 
 sql_functions! {
-    fn ab_gist_sort(args) { Ok(sorted_by::<Curve, BOX_LEN>(args)) }
+    fn ab_gist_sort(call: Call; support: Internal) { Ok(sorted_by::<Curve, BOX_LEN>(call)) }
 
-    /// consistent(entry, query, strategy, subtype, recheck)
-    fn ab_gist_consistent(args) {
-        let strategy = args.i16(2);
-        args.set_flag(4, strategy >= CONTAINS);
-        let (key, query) = (key(args, 0), query(args, strategy)?);
+    fn ab_gist_consistent(entry: Entry, value: GistQuery, strategy: i16, subtype: Oid, recheck: Answer<bool>) {
+        recheck.set(strategy >= CONTAINS);
+        let (key, query) = (entry.key(), query(&value, strategy)?);
         Ok(SqlValue::Bool(match strategy {
             CONTAINS | SAME => key.contains(&query),
             _ => key.overlaps(&query),
         }))
     }
 
-    /// distance(entry, query, strategy, subtype, recheck): to the key, which contains everything below it. Boxes and
-    /// solids are as near as their keys.
-    fn ab_gist_distance(args) { nearest(args, false) }
+    /// To the key, which contains everything below it. Boxes and solids are as near as their keys.
+    fn ab_gist_distance(entry: Entry, query: GistQuery, strategy: i16, subtype: Oid, recheck: Answer<bool>) {
+        recheck.set(false);
+        nearest(&entry, &query, strategy)
+    }
 
     /// The same where the operator measures to something smaller than the key: the returns of a patch, the place of a
     /// point.
-    fn ab_gist_distance_lossy(args) { nearest(args, true) }
+    fn ab_gist_distance_lossy(entry: Entry, query: GistQuery, strategy: i16, subtype: Oid, recheck: Answer<bool>) {
+        recheck.set(true);
+        nearest(&entry, &query, strategy)
+    }
 
-    /// union(vector, size)
-    fn ab_gist_union(args) {
-        let keys = KeyVector::arg(args, 0);
-        let union = (0..keys.len()).fold(Aabb::EMPTY, |u, i| u.union(&box_from(&keys.key(i))));
-        args.set_size(1, BOX_LEN);
+    fn ab_gist_union(keys: KeyVector, size: Answer<i32>) {
+        let union = (0..keys.len()).fold(Aabb::EMPTY, |u, i| u.union(&keys.key(i)));
+        size.set(BOX_LEN as i32);
         Ok(SqlValue::Fixed(box_bytes(&union)))
     }
 
-    fn ab_gist_scan_compress(args) {
-        args.compressed(Header::LEN, |bytes| Ok(box_bytes(&Header::read(bytes)?.hull)))
+    fn ab_gist_scan_compress(entry: Entry) {
+        entry.compressed(Header::LEN, |bytes| Ok(box_bytes(&Header::read(bytes)?.hull)))
     }
 
-    fn ab_gist_solid_compress(args) {
-        args.compressed(Solid::HEADER_LEN, |bytes| Ok(box_bytes(&Solid::header(bytes)?.bounds)))
+    fn ab_gist_solid_compress(entry: Entry) {
+        entry.compressed(Solid::HEADER_LEN, |bytes| Ok(box_bytes(&Solid::header(bytes)?.bounds)))
     }
 
-    fn ab_gist_tile_compress(args) {
-        args.compressed(TileHeader::LEN, |bytes| Ok(box_bytes(&tile_box(bytes)?)))
+    fn ab_gist_tile_compress(entry: Entry) {
+        entry.compressed(TileHeader::LEN, |bytes| Ok(box_bytes(&tile_box(bytes)?)))
     }
 
-    fn ab_gist_point_compress(args) {
-        args.compressed_fixed(|n: &[f64; 9]| box_bytes(&Point::from_stored(n).bounds(INDEX_SIGMAS)))
+    fn ab_gist_point_compress(entry: Entry) {
+        entry.compressed_fixed(|n: &[f64; 9]| box_bytes(&Point::from_stored(n).bounds(INDEX_SIGMAS)))
     }
 
-    fn ab_gist_line_compress(args) {
-        args.compressed_fixed(|n: &[f64; 27]| box_bytes(&Line::from_stored(n).bounds(INDEX_SIGMAS)))
+    fn ab_gist_line_compress(entry: Entry) {
+        entry.compressed_fixed(|n: &[f64; 27]| box_bytes(&Line::from_stored(n).bounds(INDEX_SIGMAS)))
     }
 
-    /// penalty(key entry, new entry, result)
-    fn ab_gist_penalty(args) {
-        args.set_f32(2, penalty(&key(args, 0), &key(args, 1)));
-        Ok(SqlValue::Raw(args.pointer(2)))
+    fn ab_gist_penalty(key: Entry, new: Entry, result: Answer<f32>) {
+        result.set(penalty(&key.key(), &new.key()));
+        Ok(result.ret())
     }
 
-    /// picksplit(vector, result); entries count from 1.
-    fn ab_gist_picksplit(args) {
-        let keys = KeyVector::arg(args, 0);
-        let boxes: Vec<Aabb> = (1..keys.len()).map(|i| box_from(&keys.key(i))).collect();
+    /// Entries count from 1.
+    fn ab_gist_picksplit(keys: KeyVector, result: PickSplit) {
+        let boxes: Vec<Aabb> = (1..keys.len()).map(|i| keys.key(i)).collect();
         let (left, right) = split(&boxes);
         let side = |group: &[usize]| {
             let union = group.iter().fold(Aabb::EMPTY, |u, &i| u.union(&boxes[i]));
             (group.iter().map(|&i| i as u16 + 1).collect::<Vec<u16>>(), box_bytes(&union))
         };
         let (l, r) = (side(&left), side(&right));
-        PickSplit::arg(args, 1).set((&l.0, &l.1), (&r.0, &r.1));
-        Ok(SqlValue::Raw(args.pointer(1)))
+        result.set((&l.0, &l.1), (&r.0, &r.1));
+        Ok(result.ret())
     }
 
-    /// same(key, key, result)
-    fn ab_gist_same(args) {
-        args.set_flag(2, args.fixed::<BOX_LEN>(0) == args.fixed::<BOX_LEN>(1));
-        Ok(SqlValue::Raw(args.pointer(2)))
+    fn ab_gist_same(a: Aabb, b: Aabb, result: Answer<bool>) {
+        result.set(a == b);
+        Ok(result.ret())
     }
 }

@@ -4,7 +4,7 @@ use asbuilt_core::{Error, Result};
 use pgrx::{PgMemoryContexts, pg_sys};
 
 use super::memory::Account;
-use super::{Args, SqlValue};
+use super::{Args, FromArg, SqlValue};
 
 /// A state that lives in the aggregate's memory context and is dropped with it.
 #[derive(Debug)]
@@ -47,19 +47,48 @@ impl<T> AggState<T> {
     }
 }
 
-/// The state in argument `i`, or a new one from `fresh` when it is NULL.
-pub fn aggregate_state<T>(args: &Args, i: usize, fresh: impl FnOnce() -> Result<T>) -> Result<AggState<T>> {
-    unsafe {
-        let mut context: pg_sys::MemoryContext = std::ptr::null_mut();
-        if pg_sys::AggCheckCallContext(args.fcinfo(), &mut context) == 0 {
-            return Err(Error::argument("an aggregate's support function", "called by its aggregate", "a plain call"));
-        }
-        if !args.is_null(i) {
-            return Ok(AggState { pointer: args.datum(i).cast_mut_ptr() });
-        }
-        let state = fresh()?;
-        Ok(AggState { pointer: PgMemoryContexts::For(context).leak_and_drop_on_delete(Kept::new(state)) })
+/// The memory context of the aggregate that calls.
+fn context(args: &Args) -> Result<pg_sys::MemoryContext> {
+    let mut context: pg_sys::MemoryContext = std::ptr::null_mut();
+    if unsafe { pg_sys::AggCheckCallContext(args.fcinfo(), &mut context) } == 0 {
+        return Err(Error::argument("an aggregate's support function", "called by its aggregate", "a plain call"));
     }
+    Ok(context)
+}
+
+impl<T> FromArg<'_> for AggState<T> {
+    const SQL_TYPE: &'static str = "internal";
+
+    fn from_arg(args: &Args, i: usize) -> Result<Self> {
+        context(args)?;
+        Ok(Self { pointer: args.datum(i).cast_mut_ptr() })
+    }
+}
+
+/// The state of a transition function: a new one at the first row.
+#[derive(Debug)]
+pub struct StateOrNew<T>(pub AggState<T>);
+
+impl<T: Default> FromArg<'_> for StateOrNew<T> {
+    const SQL_TYPE: &'static str = "internal";
+    const NULLABLE: bool = true;
+
+    fn from_arg(args: &Args, i: usize) -> Result<Self> {
+        state_or_new(args, Option::from_arg(args, i)?, || Ok(T::default())).map(Self)
+    }
+}
+
+/// The state, or a new one from `fresh`.
+pub fn state_or_new<T>(
+    args: &Args,
+    state: Option<AggState<T>>,
+    fresh: impl FnOnce() -> Result<T>,
+) -> Result<AggState<T>> {
+    if let Some(state) = state {
+        return Ok(state);
+    }
+    let context = PgMemoryContexts::For(context(args)?);
+    Ok(AggState { pointer: { context }.leak_and_drop_on_delete(Kept::new(fresh()?)) })
 }
 
 /// A state read back from its serialised form, in the current memory context.

@@ -17,6 +17,10 @@ struct Counting;
 /// Live bytes, except for what each thread has not added yet.
 static LIVE: AtomicIsize = AtomicIsize::new(0);
 static PEAK: AtomicIsize = AtomicIsize::new(0);
+/// The most that lived since [`give_back`] last did.
+static HIGH: AtomicIsize = AtomicIsize::new(0);
+/// So much must have been freed before it is worth the look at all of the heap.
+const WORTH_GIVING_BACK: isize = 16 << 20;
 
 /// Bytes that the system refused when the ballast was given up; 0 if it refused none.
 static REFUSED: AtomicUsize = AtomicUsize::new(0);
@@ -117,6 +121,25 @@ fn flush() {
     let pending = PENDING.try_with(Cell::take).unwrap_or(0);
     let live = LIVE.fetch_add(pending, Relaxed) + pending;
     PEAK.fetch_max(live, Relaxed);
+    HIGH.fetch_max(live, Relaxed);
+}
+
+#[cfg(target_env = "gnu")]
+unsafe extern "C" {
+    fn malloc_trim(pad: usize) -> std::ffi::c_int;
+}
+
+/// Gives freed memory back to the system, where it is much: glibc keeps what lies below the last block that lives, and
+/// whoever limits a backend's memory sees it as taken (43 of 215 MB, after four pieces of evidence).
+pub fn give_back() {
+    let live = live();
+    if HIGH.load(Relaxed) - live > WORTH_GIVING_BACK {
+        HIGH.store(live, Relaxed);
+        #[cfg(target_env = "gnu")]
+        unsafe {
+            malloc_trim(0)
+        };
+    }
 }
 
 #[cold]

@@ -1,6 +1,6 @@
-//! Reading a function's arguments.
+//! Reading a function's arguments by position. A Datum tells nothing of its type: only [`super::FromArg`] and what else
+//! is in `pg` may do this.
 
-use std::borrow::Cow;
 use std::ffi::CStr;
 
 use asbuilt_core::error::Limited;
@@ -66,42 +66,37 @@ impl Args {
     }
 
     /// A `float8`.
-    pub fn f64(&self, i: usize) -> f64 {
+    pub(super) fn f64(&self, i: usize) -> f64 {
         f64::from_bits(self.datum(i).value() as u64)
     }
 
     /// A `bigint`.
-    pub fn i64(&self, i: usize) -> i64 {
+    pub(super) fn i64(&self, i: usize) -> i64 {
         self.datum(i).value() as i64
     }
 
     /// A `boolean`.
-    pub fn bool(&self, i: usize) -> bool {
+    pub(super) fn bool(&self, i: usize) -> bool {
         self.datum(i).value() & 0xff != 0
     }
 
     /// An `integer`.
-    pub fn i32(&self, i: usize) -> i32 {
+    pub(super) fn i32(&self, i: usize) -> i32 {
         self.datum(i).value() as i32
     }
 
     /// A `smallint`.
-    pub fn i16(&self, i: usize) -> i16 {
+    pub(super) fn i16(&self, i: usize) -> i16 {
         self.datum(i).value() as i16
     }
 
-    /// A `cstring`, as an input function gets it.
-    pub fn cstring(&self, i: usize) -> Cow<'_, str> {
-        String::from_utf8_lossy(self.cstring_bytes(i))
-    }
-
-    /// The same, unchecked.
-    pub fn cstring_bytes(&self, i: usize) -> &[u8] {
+    /// A `cstring`, as an input function gets it; unchecked.
+    pub(super) fn cstring_bytes(&self, i: usize) -> &[u8] {
         unsafe { CStr::from_ptr(self.datum(i).cast_mut_ptr()) }.to_bytes()
     }
 
     /// A `text`: a word, a query.
-    pub fn text(&self, i: usize) -> String {
+    pub(super) fn text(&self, i: usize) -> String {
         const LONGEST: usize = 16 << 20;
         let bytes = self.bytes(i);
         if bytes.len() > LONGEST {
@@ -112,7 +107,7 @@ impl Args {
     }
 
     /// The value of the enum `ab_loa`.
-    pub fn loa(&self, i: usize) -> Result<Loa> {
+    pub(super) fn loa(&self, i: usize) -> Result<Loa> {
         let oid = pg_sys::Oid::from(self.datum(i).value() as u32);
         Loa::parse(&pgrx::enum_helper::lookup_enum_by_oid(oid).0)
     }
@@ -122,23 +117,23 @@ impl Args {
     }
 
     /// All bytes of a variable-length value, fetched and decompressed if need be.
-    pub fn bytes(&self, i: usize) -> &[u8] {
+    pub(super) fn bytes(&self, i: usize) -> &[u8] {
         unsafe { pgrx::varlena::varlena_to_byte_slice(toast::fetch(self.varlena(i))) }
     }
 
     /// A variable-length value handed on: to send, or to return an argument as it came. Always a copy: PostgreSQL's
     /// `array_send` frees what a send function returns, even if it is an element of the array.
-    pub fn copied(&self, i: usize) -> SqlValue {
+    pub(super) fn copied(&self, i: usize) -> SqlValue {
         SqlValue::Raw(unsafe { toast::copy_of(self.varlena(i)) }.into())
     }
 
     /// At least the first `len` bytes (or all there are), without fetching the rest where that can be avoided.
-    pub fn prefix(&self, i: usize, len: usize) -> &[u8] {
+    pub(super) fn prefix(&self, i: usize, len: usize) -> &[u8] {
         unsafe { toast::prefix(self.varlena(i), len) }
     }
 
     /// The value as it is stored in the row, unfetched: equal bytes mean the same value.
-    pub fn raw(&self, i: usize) -> &[u8] {
+    pub(super) fn raw(&self, i: usize) -> &[u8] {
         unsafe {
             let v = self.varlena(i);
             std::slice::from_raw_parts(v.cast::<u8>(), pgrx::varlena::varsize_any(v))
@@ -146,17 +141,17 @@ impl Args {
     }
 
     /// A fixed-length value passed by reference.
-    pub fn fixed<const N: usize>(&self, i: usize) -> [u8; N] {
+    pub(super) fn fixed<const N: usize>(&self, i: usize) -> [u8; N] {
         unsafe { *self.datum(i).cast_mut_ptr::<[u8; N]>() }
     }
 
     /// A fixed-length value of `N` float8.
-    pub fn numbers<const N: usize>(&self, i: usize) -> [f64; N] {
+    pub(super) fn numbers<const N: usize>(&self, i: usize) -> [f64; N] {
         unsafe { self.datum(i).cast_mut_ptr::<[f64; N]>().read_unaligned() }
     }
 
     /// What is left of the message that a receive function gets; marks it as read.
-    pub fn message(&self, i: usize) -> &[u8] {
+    pub(super) fn message(&self, i: usize) -> &[u8] {
         unsafe {
             let buffer: pg_sys::StringInfo = self.datum(i).cast_mut_ptr();
             let left = (*buffer).len - (*buffer).cursor;
@@ -166,7 +161,7 @@ impl Args {
     }
 
     /// A `float8[]` of one dimension with `N` elements.
-    pub fn vector<const N: usize>(&self, i: usize, what: &'static str) -> Result<[f64; N]> {
+    pub(super) fn vector<const N: usize>(&self, i: usize, what: &'static str) -> Result<[f64; N]> {
         let (dims, values) = self.f64_array(i, what)?;
         match (dims.len(), <[f64; N]>::try_from(&values[..])) {
             (1, Ok(v)) => Ok(v),
@@ -178,12 +173,12 @@ impl Args {
     }
 
     /// A `float8[]` of one dimension.
-    pub fn f64_list(&self, i: usize, what: &'static str) -> Result<Vec<f64>> {
+    pub(super) fn f64_list(&self, i: usize, what: &'static str) -> Result<Vec<f64>> {
         self.list(i, what)
     }
 
     /// A square matrix: `float8[]` of `N` x `N`, or of its numbers row by row.
-    pub fn square<const N: usize>(&self, i: usize, what: &'static str) -> Result<nalgebra::SMatrix<f64, N, N>> {
+    pub(super) fn square<const N: usize>(&self, i: usize, what: &'static str) -> Result<nalgebra::SMatrix<f64, N, N>> {
         let (dims, values) = self.f64_array(i, what)?;
         if values.len() != N * N || dims.iter().any(|&d| d as usize != N && dims.len() != 1) {
             let expected = ["", "", "", "3 x 3", "4 x 4", "", "6 x 6", "7 x 7"].get(N).copied().unwrap_or("square");
@@ -193,26 +188,26 @@ impl Args {
     }
 
     /// A `float8[][]` of n x 3.
-    pub fn f64_triples(&self, i: usize, what: &'static str) -> Result<Vec<[f64; 3]>> {
+    pub(super) fn f64_triples(&self, i: usize, what: &'static str) -> Result<Vec<[f64; 3]>> {
         let (dims, values) = self.f64_array(i, what)?;
         array::triples(&dims, &values, what)
     }
 
     /// An `int4[][]` of n x 3.
-    pub fn i32_triples(&self, i: usize, what: &'static str) -> Result<Vec<[i32; 3]>> {
+    pub(super) fn i32_triples(&self, i: usize, what: &'static str) -> Result<Vec<[i32; 3]>> {
         let (dims, values) = unsafe { array::read(self.datum(i), what) }?;
         array::triples(&dims, &values, what)
     }
 
     /// An `int4[]` of one dimension with `N` elements.
-    pub fn i32_vector<const N: usize>(&self, i: usize, what: &'static str) -> Result<[i32; N]> {
+    pub(super) fn i32_vector<const N: usize>(&self, i: usize, what: &'static str) -> Result<[i32; N]> {
         let values = self.i32_list(i, what)?;
         let n = values.len();
         values.try_into().map_err(|_| Error::argument(what, "an array of three numbers", format!("one of {n}")))
     }
 
     /// An `int4[]` of one dimension.
-    pub fn i32_list(&self, i: usize, what: &'static str) -> Result<Vec<i32>> {
+    pub(super) fn i32_list(&self, i: usize, what: &'static str) -> Result<Vec<i32>> {
         self.list(i, what)
     }
 
@@ -225,12 +220,12 @@ impl Args {
     }
 
     /// An array of one of our variable-length types; NULL elements are skipped.
-    pub fn bytes_array(&self, i: usize, what: &'static str) -> Result<Vec<&[u8]>> {
+    pub(super) fn bytes_array(&self, i: usize, what: &'static str) -> Result<Vec<&[u8]>> {
         unsafe { array::read_varlenas(self.datum(i), what) }
     }
 
     /// Dimensions and elements of a `float8[]`.
-    pub fn f64_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<f64>)> {
+    pub(super) fn f64_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<f64>)> {
         unsafe { array::read(self.datum(i), what) }
     }
 }

@@ -47,13 +47,25 @@ pub fn raise(error: &Error, name: &'static str) -> ! {
     unreachable!("an ERROR report does not return")
 }
 
-/// Declares SQL-callable functions: `fn name(args) { body }`, the body an expression of `Result<SqlValue, Error>`. Functions
-/// after `on Account::…;` take their memory on that account.
+/// Declares SQL-callable functions, the body an expression of `Result<SqlValue, Error>`:
+///
+/// * `fn name(box: Aabb, margin: Option<f64>) { body }`: with typed parameters ([`super::FromArg`]);
+/// * `fn name(rows: Rows; box: Aabb) { body }`: the same, returning a set of rows;
+/// * `fn name(call: Call; …)` and `fn name(call: Call, rows: Rows; …)`: the same, with the call itself;
+/// * `fn name(args) { body }`: fetching its arguments itself.
+///
+/// Functions after `on Account::…;` take their memory on that account. Their declarations are the module's `DECLARED`.
 macro_rules! sql_functions {
     (on $account:expr; $($rest:tt)*) => { $crate::pg::sql_functions! { @ Some($account); $($rest)* } };
     (fn $($rest:tt)*) => { $crate::pg::sql_functions! { @ None; fn $($rest)* } };
     (# $($rest:tt)*) => { $crate::pg::sql_functions! { @ None; # $($rest)* } };
-    (@ $account:expr; $($(#[$meta:meta])* fn $name:ident($args:ident) $body:block)*) => {
+    (@ $account:expr; $($(#[$meta:meta])* fn $name:ident $parameters:tt $body:block)*) => {
+        /// What SQL is to declare for the functions here.
+        pub(crate) const DECLARED: &[$crate::pg::Declared] = &[$($crate::pg::Declared {
+            symbol: stringify!($name),
+            parameters: $crate::pg::parameters!($parameters),
+        }),*];
+
         $(
             const _: () = {
                 #[unsafe(export_name = concat!("pg_finfo_", stringify!($name)))]
@@ -65,9 +77,10 @@ macro_rules! sql_functions {
                 $(#[$meta])*
                 #[unsafe(export_name = stringify!($name))]
                 unsafe extern "C-unwind" fn entry(fcinfo: pgrx::pg_sys::FunctionCallInfo) -> pgrx::pg_sys::Datum {
-                    #[allow(unused_variables)]
                     unsafe {
-                        $crate::pg::run(fcinfo, stringify!($name), $account, |$args: &$crate::pg::Args| $body)
+                        $crate::pg::run(fcinfo, stringify!($name), $account, |args: &$crate::pg::Args| {
+                            $crate::pg::bound!(args, $parameters, $body)
+                        })
                     }
                 }
             };
@@ -75,3 +88,50 @@ macro_rules! sql_functions {
     };
 }
 pub(crate) use sql_functions;
+
+/// The declared parameters of a parameter list.
+macro_rules! parameters {
+    (($args:ident)) => { None };
+    (($call:ident: Call, $rows:ident: Rows; $($rest:tt)*)) => { $crate::pg::parameters!(($($rest)*)) };
+    (($call:ident: Call; $($rest:tt)*)) => { $crate::pg::parameters!(($($rest)*)) };
+    (($rows:ident: Rows; $($rest:tt)*)) => { $crate::pg::parameters!(($($rest)*)) };
+    (($($name:ident: $type:ty),* $(,)?)) => { Some(&[$($crate::pg::Parameter::of::<$type>()),*]) };
+}
+pub(crate) use parameters;
+
+/// A body with its parameters bound; NULL where an argument is NULL that must not be.
+macro_rules! bound {
+    ($call:ident, ($args:ident), $body:block) => {{
+        #[allow(unused_variables)]
+        let $args = $call;
+        $body
+    }};
+    ($call:ident, ($own:ident: Call, $rows:ident: Rows; $($rest:tt)*), $body:block) => {{
+        let $own = $call;
+        $crate::pg::bound!($call, ($rows: Rows; $($rest)*), $body)
+    }};
+    ($call:ident, ($own:ident: Call; $($rest:tt)*), $body:block) => {{
+        let $own = $call;
+        $crate::pg::bound!($call, ($($rest)*), $body)
+    }};
+    ($call:ident, ($rows:ident: Rows; $($rest:tt)*), $body:block) => {{
+        let mut $rows = $crate::pg::Rows::new($call)?;
+        $crate::pg::bound!($call, ($($rest)*), $body)
+    }};
+    ($call:ident, (), $body:block) => {{
+        let _ = $call;
+        $body
+    }};
+    ($call:ident, ($($name:ident: $type:ty),* $(,)?), $body:block) => {{
+        if $crate::pg::lacks($call, &[$($crate::pg::Parameter::of::<$type>()),*]) {
+            return Ok($crate::pg::SqlValue::Null);
+        }
+        let mut next = 0;
+        $(
+            #[allow(unused_variables)]
+            let $name: $type = $crate::pg::next_arg($call, &mut next)?;
+        )*
+        $body
+    }};
+}
+pub(crate) use bound;

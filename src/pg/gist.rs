@@ -1,24 +1,21 @@
-//! The structures that GiST hands to its support functions.
+//! The structures that GiST hands to its support functions. Keys are boxes.
 
 use asbuilt_core::Result;
+use asbuilt_core::geometry::Aabb;
 use pgrx::pg_sys;
 
-use super::{Args, SqlValue};
+use super::plain::PlainType;
+use super::{Args, FromArg, SqlValue};
 
-/// Keys of 48 bytes (a box) that `union` and `picksplit` get.
+/// The keys that `union` and `picksplit` get.
 #[derive(Debug)]
 pub struct KeyVector(*mut pg_sys::GistEntryVector);
 
 impl KeyVector {
-    /// The vector in argument `i`.
-    pub fn arg(args: &Args, i: usize) -> Self {
-        Self(args.datum(i).cast_mut_ptr())
-    }
-
     /// Key `i`, from 0; `picksplit` leaves the first place empty.
-    pub fn key<const N: usize>(&self, i: usize) -> [u8; N] {
+    pub fn key(&self, i: usize) -> Aabb {
         assert!(i < self.len());
-        unsafe { *(*(*self.0).vector.as_ptr().add(i)).key.cast_mut_ptr::<[u8; N]>() }
+        unsafe { key_at((*(*self.0).vector.as_ptr().add(i)).key) }
     }
 
     /// Number of places.
@@ -27,37 +24,22 @@ impl KeyVector {
     }
 }
 
-impl Args {
-    /// The key of the `GISTENTRY` in argument `i`, a fixed-length value.
-    pub fn entry_key<const N: usize>(&self, i: usize) -> [u8; N] {
-        unsafe {
-            let entry: *mut pg_sys::GISTENTRY = self.datum(i).cast_mut_ptr();
-            *(*entry).key.cast_mut_ptr::<[u8; N]>()
-        }
+unsafe fn key_at(key: pg_sys::Datum) -> Aabb {
+    PlainType::of(&unsafe { key.cast_mut_ptr::<[f64; 6]>().read_unaligned() })
+}
+
+/// A `GISTENTRY`.
+#[derive(Debug)]
+pub struct Entry(*mut pg_sys::GISTENTRY);
+
+impl Entry {
+    /// Its key.
+    pub fn key(&self) -> Aabb {
+        unsafe { key_at((*self.0).key) }
     }
 
-    /// An `internal` argument, to be handed back.
-    pub fn pointer(&self, i: usize) -> pg_sys::Datum {
-        self.datum(i)
-    }
-
-    /// Writes a flag through the pointer in argument `i`: `recheck` of consistent, the result of same.
-    pub fn set_flag(&self, i: usize, value: bool) {
-        unsafe { *self.datum(i).cast_mut_ptr::<bool>() = value }
-    }
-
-    /// Writes the penalty through the pointer in argument `i`.
-    pub fn set_f32(&self, i: usize, value: f32) {
-        unsafe { *self.datum(i).cast_mut_ptr::<f32>() = value }
-    }
-
-    /// Writes the size of a key through the pointer in argument `i`.
-    pub fn set_size(&self, i: usize, value: usize) {
-        unsafe { *self.datum(i).cast_mut_ptr::<i32>() = value as i32 }
-    }
-
-    /// `compress`: the entry in argument 0, its value replaced by `key(prefix of the value)` if it is a leaf's; inner
-    /// entries stay as they are.
+    /// `compress`: the entry, its value replaced by `key(prefix of the value)` if it is a leaf's; inner entries stay as
+    /// they are.
     pub fn compressed(&self, prefix: usize, key: impl FnOnce(&[u8]) -> Result<Vec<u8>>) -> Result<SqlValue> {
         unsafe { self.compressed_by(|value| key(super::toast::prefix(value.cast_mut_ptr(), prefix))) }
     }
@@ -69,7 +51,7 @@ impl Args {
 
     unsafe fn compressed_by(&self, key: impl FnOnce(pg_sys::Datum) -> Result<Vec<u8>>) -> Result<SqlValue> {
         unsafe {
-            let entry: *mut pg_sys::GISTENTRY = self.datum(0).cast_mut_ptr();
+            let entry = self.0;
             if !(*entry).leafkey {
                 return Ok(SqlValue::Raw(entry.into()));
             }
@@ -83,14 +65,49 @@ impl Args {
     }
 }
 
+/// Where a function writes its answer, or part of it: `recheck`, the result of `same`, the penalty, the size of a key.
+#[derive(Debug)]
+pub struct Answer<T>(*mut T);
+
+impl<T> Answer<T> {
+    /// Writes it.
+    pub fn set(&self, value: T) {
+        unsafe { self.0.write(value) }
+    }
+
+    /// The place itself, which some functions return.
+    pub fn ret(&self) -> SqlValue {
+        SqlValue::Raw(self.0.into())
+    }
+}
+
+/// The right-hand side of an operator, of a type that the strategy number tells.
+#[derive(Debug)]
+pub struct Query<'a>(&'a Args, usize);
+
+impl<'a> FromArg<'a> for Query<'a> {
+    const SQL_TYPE: &'static str = "ab_box|ab_solid|ab_scan|ab_point|ab_line|ab_occupancy|ab_change";
+
+    fn from_arg(args: &'a Args, i: usize) -> Result<Self> {
+        Ok(Self(args, i))
+    }
+}
+
+impl<'a> Query<'a> {
+    /// The value, as the type that the operator of the strategy has.
+    pub fn of<T: FromArg<'a>>(&self) -> Result<T> {
+        T::from_arg(self.0, self.1)
+    }
+}
+
 /// The `GIST_SPLITVEC` that `picksplit` fills.
 #[derive(Debug)]
 pub struct PickSplit(*mut pg_sys::GIST_SPLITVEC);
 
 impl PickSplit {
-    /// The structure in argument `i`.
-    pub fn arg(args: &Args, i: usize) -> Self {
-        Self(args.datum(i).cast_mut_ptr())
+    /// The structure itself, which `picksplit` returns.
+    pub fn ret(&self) -> SqlValue {
+        SqlValue::Raw(self.0.into())
     }
 
     /// Sets both sides: entry numbers (from 1) and union keys.
@@ -111,3 +128,18 @@ impl PickSplit {
         }
     }
 }
+
+/// Arguments that are addresses of structures.
+macro_rules! structures {
+    ($($type:ty),*) => {$(
+        impl FromArg<'_> for $type {
+            const SQL_TYPE: &'static str = "internal";
+
+            fn from_arg(args: &Args, i: usize) -> Result<Self> {
+                Ok(Self(args.datum(i).cast_mut_ptr()))
+            }
+        }
+    )*};
+}
+
+structures!(KeyVector, Entry, PickSplit, Answer<bool>, Answer<f32>, Answer<i32>);

@@ -81,6 +81,7 @@ impl Drop for Opened {
 fn switch(to: usize) -> usize {
     let (live, open) = (allocator::live(), OPEN.load(Relaxed));
     HELD[open].fetch_add(live - BEFORE.swap(live, Relaxed), Relaxed);
+    allocator::give_back();
     OPEN.store(to, Relaxed);
     let statement = unsafe { pgrx::pg_sys::GetCurrentStatementStartTimestamp() };
     if STATEMENT.swap(statement, Relaxed) != statement {

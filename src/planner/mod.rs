@@ -5,8 +5,11 @@ use asbuilt_core::Result;
 use asbuilt_core::geometry::{Aabb, BoxStatistics, Relation};
 use asbuilt_core::scan::JOIN_MARGIN_M;
 
-use crate::pg::{Args, Known, Other, Restriction, SqlValue, Statistics, analysed_by, join, restriction, sql_functions};
-use crate::types::overlap::{of_box, of_line, of_point, of_scan, of_solid, of_tile};
+use crate::pg::{
+    Args, FromArg, Internal, Known, Oid, Other, Restriction, SqlValue, Statistics, analysed_by, join, restriction,
+    sql_functions,
+};
+use crate::types::overlap::{of_line, of_point, of_scan, of_solid, of_tile};
 
 /// Where nothing is known of a table, because it was never analysed. Small enough that an index is used.
 const UNKNOWN: f64 = 1e-4;
@@ -23,16 +26,17 @@ impl Statistics for Boxes {
 
 /// The box of argument 0 as `&&` sees it.
 fn box_of(type_name: &str, value: &Args) -> Option<Aabb> {
-    let own = match type_name {
-        "ab_box" => of_box,
-        "ab_solid" => of_solid,
-        "ab_scan" => of_scan,
-        "ab_point" => of_point,
-        "ab_line" => of_line,
-        "ab_occupancy" | "ab_change" => of_tile,
+    // The type's name has been compared with our own types.
+    match type_name {
+        "ab_box" => FromArg::from_arg(value, 0),
+        "ab_solid" => FromArg::from_arg(value, 0).and_then(|v| of_solid(&v)),
+        "ab_scan" => FromArg::from_arg(value, 0).and_then(|v| of_scan(&v)),
+        "ab_point" => FromArg::from_arg(value, 0).and_then(|v| of_point(&v)),
+        "ab_line" => FromArg::from_arg(value, 0).and_then(|v| of_line(&v)),
+        "ab_occupancy" | "ab_change" => FromArg::from_arg(value, 0).and_then(|v| of_tile(&v)),
         _ => return None,
-    };
-    own(value, 0).ok()
+    }
+    .ok()
 }
 
 fn statistics(column: &Known) -> Option<BoxStatistics> {
@@ -89,13 +93,25 @@ fn share_of_pairs(args: &Args, relation: Relation) -> Result<SqlValue> {
 }
 
 sql_functions! {
-    fn ab_typanalyze(args) { Ok(analysed_by::<Boxes>(args)) }
+    fn ab_typanalyze(call: Call; column: Internal) { Ok(analysed_by::<Boxes>(call)) }
 
-    fn ab_overlap_sel(args) { share_of_rows(args, Relation::Overlaps) }
-    fn ab_contains_sel(args) { share_of_rows(args, Relation::Contains) }
-    fn ab_contained_sel(args) { share_of_rows(args, Relation::Contained) }
+    fn ab_overlap_sel(call: Call; root: Internal, operator: Oid, list: Internal, relation: i32) {
+        share_of_rows(call, Relation::Overlaps)
+    }
+    fn ab_contains_sel(call: Call; root: Internal, operator: Oid, list: Internal, relation: i32) {
+        share_of_rows(call, Relation::Contains)
+    }
+    fn ab_contained_sel(call: Call; root: Internal, operator: Oid, list: Internal, relation: i32) {
+        share_of_rows(call, Relation::Contained)
+    }
 
-    fn ab_overlap_join_sel(args) { share_of_pairs(args, Relation::Overlaps) }
-    fn ab_contains_join_sel(args) { share_of_pairs(args, Relation::Contains) }
-    fn ab_contained_join_sel(args) { share_of_pairs(args, Relation::Contained) }
+    fn ab_overlap_join_sel(call: Call; root: Internal, operator: Oid, list: Internal, kind: i16, join: Internal) {
+        share_of_pairs(call, Relation::Overlaps)
+    }
+    fn ab_contains_join_sel(call: Call; root: Internal, operator: Oid, list: Internal, kind: i16, join: Internal) {
+        share_of_pairs(call, Relation::Contains)
+    }
+    fn ab_contained_join_sel(call: Call; root: Internal, operator: Oid, list: Internal, kind: i16, join: Internal) {
+        share_of_pairs(call, Relation::Contained)
+    }
 }

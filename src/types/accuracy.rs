@@ -1,39 +1,35 @@
 //! Levels and classes of accuracy, beliefs at other accuracies, tolerances.
 
-use asbuilt_core::evidence::accuracy;
+use asbuilt_core::evidence::{Loa, accuracy};
 
-use crate::pg::{Field, Rows, SqlValue, sql_functions};
+use crate::pg::{Field, SqlValue, sql_functions};
 
 sql_functions! {
-    fn ab_loa_confidence(args) { Ok(SqlValue::F64(args.loa(0)?.confidence(args.f64(1))?)) }
+    fn ab_loa_confidence(loa: Loa, within: f64) { Ok(SqlValue::F64(loa.confidence(within)?)) }
 
-    fn ab_convert_belief(args) {
-        Ok(SqlValue::F64(accuracy::convert_belief(args.f64(0), args.f64(1), args.f64(2))?))
+    fn ab_convert_belief(belief: f64, sigma: f64, sigma_to: f64) {
+        Ok(SqlValue::F64(accuracy::convert_belief(belief, sigma, sigma_to)?))
     }
 
-    fn ab_convert_belief_loa(args) {
-        Ok(SqlValue::F64(accuracy::convert_belief(args.f64(0), args.f64(1), args.loa(2)?.sigma())?))
+    fn ab_convert_belief_loa(belief: f64, sigma: f64, loa: Loa) {
+        Ok(SqlValue::F64(accuracy::convert_belief(belief, sigma, loa.sigma())?))
     }
 
-    /// ab_convert_belief_linear(belief, sigma, sigma_to, divisor)
-    fn ab_convert_belief_linear(args) {
-        let (belief, capped) =
-            accuracy::convert_belief_linear(args.f64(0), args.f64(1), args.f64(2), args.f64(3))?;
+    fn ab_convert_belief_linear(belief: f64, sigma: f64, sigma_to: f64, divisor: f64) {
+        let (belief, capped) = accuracy::convert_belief_linear(belief, sigma, sigma_to, divisor)?;
         Ok(SqlValue::Row(vec![Field::F64(belief), Field::Bool(capped)]))
     }
 
-    fn ab_relative_tolerance(args) {
-        Ok(SqlValue::F64(accuracy::relative_tolerance(args.f64(0), args.f64(1), &args.text(2))?))
+    fn ab_relative_tolerance(t1: f64, t2: f64, rule: String) {
+        Ok(SqlValue::F64(accuracy::relative_tolerance(t1, t2, &rule)?))
     }
 
-    /// ab_is_fit(sigma, tolerance, purpose)
-    fn ab_is_fit(args) {
-        let sigma = asbuilt_core::uncertain::checked_sd("the sensor's standard deviation", args.f64(0))?;
-        Ok(SqlValue::Bool(sigma <= accuracy::largest_sigma(args.f64(1), &args.text(2))?))
+    fn ab_is_fit(sigma: f64, tolerance: f64, purpose: String) {
+        let sigma = asbuilt_core::uncertain::checked_sd("the sensor's standard deviation", sigma)?;
+        Ok(SqlValue::Bool(sigma <= accuracy::largest_sigma(tolerance, &purpose)?))
     }
 
-    fn ab_din18710_class(args) {
-        let mut rows = Rows::new(args)?;
+    fn ab_din18710_class(rows: Rows;) {
         for (class, lower, upper) in accuracy::DIN_18710 {
             rows.push(&[
                 Field::Text(class.into()),

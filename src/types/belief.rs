@@ -1,29 +1,29 @@
 //! The belief calculus on `ab_mass`: rules, measures, decisions.
 
 use asbuilt_core::Error;
-use asbuilt_core::evidence::{Criterion, Hypothesis, Rule};
+use asbuilt_core::evidence::{Criterion, Hypothesis, Mass, Rule};
 
-use super::{mass_arg, mass_ret};
+use super::mass_ret;
 use crate::pg::{SqlValue, sql_functions};
 
 sql_functions! {
-    fn ab_mass_combine_by(args) {
-        mass_ret(&Rule::parse(&args.text(2))?.combine(&mass_arg(args, 0), &mass_arg(args, 1))?)
+    fn ab_mass_combine_by(m1: Mass, m2: Mass, rule: String) {
+        mass_ret(&Rule::parse(&rule)?.combine(&m1, &m2)?)
     }
 
-    fn ab_mass_contradiction(args) { Ok(SqlValue::F64(mass_arg(args, 0).contradiction())) }
-    fn ab_mass_nonspecificity(args) { Ok(SqlValue::F64(mass_arg(args, 0).nonspecificity())) }
-    fn ab_mass_discord(args) { Ok(SqlValue::F64(mass_arg(args, 0).discord())) }
+    fn ab_mass_contradiction(mass: Mass) { Ok(SqlValue::F64(mass.contradiction())) }
+    fn ab_mass_nonspecificity(mass: Mass) { Ok(SqlValue::F64(mass.nonspecificity())) }
+    fn ab_mass_discord(mass: Mass) { Ok(SqlValue::F64(mass.discord())) }
 
-    fn ab_mass_discount(args) { mass_ret(&mass_arg(args, 0).discount(args.f64(1))?) }
+    fn ab_mass_discount(mass: Mass, reliability: f64) { mass_ret(&mass.discount(reliability)?) }
 
-    fn ab_mass_pignistic(args) {
-        let p = mass_arg(args, 0).pignistic(Hypothesis::parse(&args.text(1))?);
+    fn ab_mass_pignistic(mass: Mass, hypothesis: String) {
+        let p = mass.pignistic(Hypothesis::parse(&hypothesis)?);
         p.map(SqlValue::F64).ok_or(Error::TotalConflict)
     }
 
-    fn ab_mass_decide(args) {
-        let decision = mass_arg(args, 0).decide(Criterion::parse(&args.text(1))?, args.f64(2))?;
+    fn ab_mass_decide(mass: Mass, criterion: String, threshold: f64) {
+        let decision = mass.decide(Criterion::parse(&criterion)?, threshold)?;
         Ok(SqlValue::text(match decision {
             Some(Hypothesis::Occupied) => "occupied",
             Some(Hypothesis::Empty) => "empty",

@@ -1,14 +1,16 @@
 //! `ab_change`: core's byte form, on disk and on the wire; in hexadecimal as text; and the functions on it.
 
+use asbuilt_core::geometry::Aabb;
 use asbuilt_core::voxel::{Change, Class, Settings, TileHeader};
 use asbuilt_core::{Error, Result};
 
+use super::box_bytes;
 use super::grid::grid_ret;
 use super::hex::{hex_in, hex_out};
-use super::occupancy::{cover, occupancy_arg, words};
+use super::occupancy::{OccupancyArg, cover};
 use super::rollup::rolled_up;
-use super::{box_bytes, box_from};
-use crate::pg::{Account, Args, Backend, Field, Rows, SqlValue, sql_functions};
+use super::solid::SolidArg;
+use crate::pg::{Account, Backend, Field, Message, SqlValue, TextArray, TextInput, Varlena, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_change:1:";
@@ -17,8 +19,14 @@ fn read(bytes: &[u8]) -> Result<Change> {
     Change::from_bytes(bytes, &Backend)
 }
 
-fn arg(args: &Args, i: usize) -> Result<Change> {
-    read(args.bytes(i))
+/// A change.
+type ChangeArg<'a> = Varlena<'a, Change>;
+
+impl ChangeArg<'_> {
+    /// The whole of it.
+    fn read(&self) -> Result<Change> {
+        read(self.bytes())
+    }
 }
 
 fn ret(change: &Change) -> Result<SqlValue> {
@@ -28,51 +36,42 @@ fn ret(change: &Change) -> Result<SqlValue> {
 sql_functions! {
     on Account::Grid;
 
-    fn ab_change_in(args) { ret(&read(&hex_in(args, "ab_change", PREFIX)?)?) }
+    fn ab_change_in(text: TextInput) { ret(&read(&hex_in(&text, "ab_change", PREFIX)?)?) }
 
-    fn ab_change_out(args) { hex_out(args, PREFIX) }
+    fn ab_change_out(change: ChangeArg) { hex_out(&change, PREFIX) }
 
-    fn ab_change_recv(args) { ret(&read(args.message(0))?) }
+    fn ab_change_recv(message: Message) { ret(&read(message.rest())?) }
 
-    fn ab_change_send(args) { Ok(args.copied(0)) }
+    fn ab_change_send(change: ChangeArg) { Ok(change.copied()) }
 
-    fn ab_change_grid(args) { grid_ret(&Change::header(args.prefix(0, TileHeader::LEN))?.grid) }
+    fn ab_change_grid(change: ChangeArg) { grid_ret(&Change::header(change.prefix(TileHeader::LEN))?.grid) }
 
-    fn ab_change_clip(args) { ret(&arg(args, 0)?.clipped(&box_from(&args.fixed(1)), &Backend)?) }
+    fn ab_change_clip(change: ChangeArg, tile: Aabb) { ret(&change.read()?.clipped(&tile, &Backend)?) }
 
-    /// ab_change(old, new, threshold, tolerance)
-    fn ab_change_between(args) {
-        if (0..3).any(|i| args.is_null(i)) {
-            return Ok(SqlValue::Null);
-        }
-        let threshold = Settings::threshold(args.i32(2))?;
-        let (old, new) = (occupancy_arg(args, 0)?, occupancy_arg(args, 1)?);
+    fn ab_change_between(old: OccupancyArg, new: OccupancyArg, threshold: i32, tolerance: Option<f64>) {
+        let threshold = Settings::threshold(threshold)?;
+        let (old, new) = (old.read()?, new.read()?);
         let margin = old.grid().margin.max(new.grid().margin).min(8.0 * new.grid().voxel);
-        let tolerance = if args.is_null(3) { margin } else { args.f64(3) };
+        let tolerance = tolerance.unwrap_or(margin);
         ret(&Change::between(&old, &new, Settings { threshold, tolerance }, &Backend)?)
     }
 
-    /// ab_rollup(change, change)
-    fn ab_change_rollup(args) {
-        rolled_up(args, || {
-            let mut sum = arg(args, 0)?;
-            sum.merge(&arg(args, 1)?, &Backend)?;
+    fn ab_change_rollup(c1: Option<ChangeArg>, c2: Option<ChangeArg>) {
+        rolled_up(c1, c2, |c1, c2| {
+            let mut sum = c1.read()?;
+            sum.merge(&c2.read()?, &Backend)?;
             ret(&sum)
         })
     }
 
-    /// ab_summary(change, solid, margin)
-    fn ab_change_summary(args) {
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        let change = arg(args, 0)?;
+    fn ab_change_summary(change: ChangeArg, solid: Option<SolidArg>, margin: Option<f64>) {
+        let change = change.read()?;
         let voxel = change.grid().voxel;
-        let margin = if args.is_null(2) { change.settings().tolerance } else { args.f64(2) };
+        let margin = margin.unwrap_or(change.settings().tolerance);
         if !(0.0..=8.0 * voxel).contains(&margin) {
             return Err(Error::argument("the margin", "from 0 to 8 voxels", format!("{margin} m")));
         }
-        let mask = if args.is_null(1) { None } else { Some(cover(args, 1, change.grid(), margin)?) };
+        let mask = solid.map(|s| cover(&s, change.grid(), margin)).transpose()?;
         let tally = change.tally(mask.as_ref(), margin, &Backend)?;
         let (total, volume) = (tally.total(), change.grid().voxel_volume());
         let voxels: Vec<u64> = tally.voxels.into_iter().chain([total]).collect();
@@ -82,17 +81,12 @@ sql_functions! {
         Ok(SqlValue::Row(counts.chain(volumes).chain(tally.voxels.into_iter().map(share)).collect()))
     }
 
-    /// ab_voxels(change, classes)
-    fn ab_change_voxels(args) {
-        let mut rows = Rows::new(args)?;
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        let classes: Vec<Class> = match args.is_null(1) {
-            true => Class::ALL.to_vec(),
-            false => words(args, 1, "the classes")?.iter().map(|w| Class::parse(w)).collect::<Result<_>>()?,
+    fn ab_change_voxels(rows: Rows; change: ChangeArg, classes: Option<TextArray>) {
+        let classes: Vec<Class> = match classes {
+            None => Class::ALL.to_vec(),
+            Some(classes) => classes.words("the classes")?.iter().map(|w| Class::parse(w)).collect::<Result<_>>()?,
         };
-        let change = arg(args, 0)?;
+        let change = change.read()?;
         change.for_each(&Backend, |voxel, class| {
             if classes.contains(&class) {
                 let [x, y, z] = <[f64; 3]>::from(change.grid().centre(voxel)).map(Field::F64);
@@ -102,21 +96,18 @@ sql_functions! {
         Ok(SqlValue::Null)
     }
 
-    /// ab_components(change, class, min_voxels, gap)
-    fn ab_change_components(args) {
-        let mut rows = Rows::new(args)?;
-        if args.is_null(0) || args.is_null(2) {
-            return Ok(SqlValue::Null);
-        }
-        let classes = match args.is_null(1) {
-            true => vec![Class::New, Class::Disappeared],
-            false => vec![Class::parse(&args.text(1))?],
+    fn ab_change_components(
+        rows: Rows; change: ChangeArg, class: Option<String>, min_voxels: i32, gap: Option<f64>
+    ) {
+        let classes = match class {
+            None => vec![Class::New, Class::Disappeared],
+            Some(class) => vec![Class::parse(&class)?],
         };
-        let Ok(least) = u64::try_from(args.i32(2)) else {
-            return Err(Error::argument("the least number of voxels", "0 or more", args.i32(2)));
+        let Ok(least) = u64::try_from(min_voxels) else {
+            return Err(Error::argument("the least number of voxels", "0 or more", min_voxels));
         };
-        let change = arg(args, 0)?;
-        let gap = if args.is_null(3) { 4.0 * change.grid().voxel } else { args.f64(3) };
+        let change = change.read()?;
+        let gap = gap.unwrap_or(4.0 * change.grid().voxel);
         let mut found = Vec::new();
         for class in classes {
             found.extend(change.components(class, least, gap, &Backend)?);

@@ -2,11 +2,11 @@
 //! are used.
 
 use asbuilt_core::Result;
-use asbuilt_core::evidence::SensorPreset;
+use asbuilt_core::evidence::{Loa, SensorPreset};
 use asbuilt_core::num::words::Words;
 use asbuilt_core::verify::{EvidenceModel, IntensityNoise, ModelKind};
 
-use crate::pg::{Args, Field, Rows, SqlValue, sql_functions};
+use crate::pg::{Field, Message, SqlValue, TextInput, Varlena, sql_functions};
 
 const WORDS: Words = Words { ty: "ab_evidence_model", letter: b'M' };
 
@@ -29,20 +29,20 @@ impl Given {
         Self { model, names: model.to_text().split(' ').map(|w| name_of(w).to_owned()).collect() }
     }
 
-    /// Level of accuracy, model name, then the numbers in the order of `EvidenceModel::names`, where they are not NULL.
-    pub fn from_args(args: &Args) -> Result<Self> {
+    /// Level of accuracy, model name, and the numbers in the order of `EvidenceModel::names`.
+    pub fn of(loa: Option<Loa>, kind: Option<String>, numbers: &[Option<f64>]) -> Result<Self> {
         let mut given = Self::default();
-        if !args.is_null(0) {
-            given.model.loa = args.loa(0)?;
+        if let Some(loa) = loa {
+            given.model.loa = loa;
             given.names.push("loa".into());
         }
-        if !args.is_null(1) {
-            given.model.kind = ModelKind::parse(&args.text(1))?;
+        if let Some(kind) = kind {
+            given.model.kind = ModelKind::parse(&kind)?;
             given.names.push("model".into());
         }
-        for (i, name) in EvidenceModel::names().enumerate() {
-            if !args.is_null(2 + i) {
-                given.set(name, args.f64(2 + i))?;
+        for (name, number) in EvidenceModel::names().zip(numbers) {
+            if let Some(number) = number {
+                given.set(name, *number)?;
             }
         }
         Ok(given)
@@ -76,14 +76,18 @@ impl Given {
     }
 }
 
-/// What was given in argument `i`: nothing when it is NULL.
-fn given_arg(args: &Args, i: usize) -> Result<Given> {
-    if args.is_null(i) { Ok(Given::default()) } else { WORDS.decode(args.bytes(i), Given::from_text) }
+/// Parameters.
+pub type ModelArg<'a> = Varlena<'a, EvidenceModel>;
+
+impl ModelArg<'_> {
+    fn given(&self) -> Result<Given> {
+        WORDS.decode(self.bytes(), Given::from_text)
+    }
 }
 
-/// The model in argument `i`; the default when it is NULL.
-pub fn model_arg(args: &Args, i: usize) -> Result<EvidenceModel> {
-    Ok(given_arg(args, i)?.model)
+/// The model of an argument; the default when it is NULL.
+pub fn model_or_default(model: Option<&ModelArg>) -> Result<EvidenceModel> {
+    Ok(model.map(ModelArg::given).transpose()?.unwrap_or_default().model)
 }
 
 /// Reads the stored form.
@@ -92,21 +96,33 @@ pub fn parse(bytes: &[u8]) -> Result<EvidenceModel> {
 }
 
 sql_functions! {
-    fn ab_model_in(args) { Given::from_text(&args.cstring(0))?.ret() }
+    fn ab_model_in(text: TextInput) { Given::from_text(&text.text())?.ret() }
 
-    fn ab_model_out(args) { Ok(SqlValue::CString(given_arg(args, 0)?.to_text())) }
+    fn ab_model_out(model: ModelArg) { Ok(SqlValue::CString(model.given()?.to_text())) }
 
-    fn ab_model_recv(args) { WORDS.decode(args.message(0), Given::from_text)?.ret() }
+    fn ab_model_recv(message: Message) { WORDS.decode(message.rest(), Given::from_text)?.ret() }
 
-    fn ab_model_send(args) { Ok(args.copied(0)) }
+    fn ab_model_send(model: ModelArg) { Ok(model.copied()) }
 
-    /// ab_evidence_model(loa, model, …)
-    fn ab_model_make(args) { Given::from_args(args)?.ret() }
+    fn ab_model_make(
+        loa: Option<Loa>, model: Option<String>, spacing: Option<f64>, sigma_range: Option<f64>,
+        sigma_angle: Option<f64>, sigma_station: Option<f64>, sigma_model: Option<f64>, confidence: Option<f64>,
+        reliability: Option<f64>, max_incidence: Option<f64>, no_return_range: Option<f64>,
+        no_return_weight: Option<f64>, kappa: Option<f64>, lambda: Option<f64>, c: Option<f64>,
+    ) {
+        let numbers = [
+            spacing, sigma_range, sigma_angle, sigma_station, sigma_model, confidence, reliability, max_incidence,
+            no_return_range, no_return_weight, kappa, lambda, c,
+        ];
+        Given::of(loa, model, &numbers)?.ret()
+    }
 
-    /// ab_sensor(name): one preset, or all of them without a name.
-    fn ab_sensor(args) {
-        let mut rows = Rows::new(args)?;
-        let all = if args.is_null(0) { SensorPreset::ALL.to_vec() } else { vec![SensorPreset::named(&args.text(0))?] };
+    /// One preset, or all of them without a name.
+    fn ab_sensor(rows: Rows; name: Option<String>) {
+        let all = match name {
+            None => SensorPreset::ALL.to_vec(),
+            Some(name) => vec![SensorPreset::named(&name)?],
+        };
         for p in all {
             let numbers = [p.sigma_range, p.sigma_angle, p.sigma_station, p.max_range].map(Field::F64);
             let mut row = vec![Field::Text(p.name.into())];
@@ -117,21 +133,19 @@ sql_functions! {
         Ok(SqlValue::Null)
     }
 
-    /// ab_with_sensor(model, name)
-    fn ab_with_sensor(args) {
+    fn ab_with_sensor(model: Option<ModelArg>, name: Option<String>) {
         // Not strict: a NULL would quietly be the default parameters where the result is used.
-        let p = SensorPreset::named(&if args.is_null(1) { "NULL".into() } else { args.text(1) })?;
-        let mut given = given_arg(args, 0)?;
+        let p = SensorPreset::named(name.as_deref().unwrap_or("NULL"))?;
+        let mut given = model.map(|m| m.given()).transpose()?.unwrap_or_default();
         given.set("sigma_range", p.sigma_range)?;
         given.set("sigma_angle", p.sigma_angle)?;
         given.set("sigma_station", p.sigma_station)?;
         given.ret()
     }
 
-    /// ab_with_intensity(model, reference, exponent)
-    fn ab_with_intensity(args) {
-        let mut given = given_arg(args, 0)?;
-        given.model.intensity = Some(IntensityNoise::new(args.i32(1), args.f64(2))?);
+    fn ab_with_intensity(model: ModelArg, reference: i32, exponent: f64) {
+        let mut given = model.given()?;
+        given.model.intensity = Some(IntensityNoise::new(reference, exponent)?);
         given.names.push("intensity".into());
         given.ret()
     }

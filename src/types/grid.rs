@@ -7,8 +7,8 @@ use asbuilt_core::scan::NO_RETURN_REACH_M;
 use asbuilt_core::voxel::Grid;
 use asbuilt_core::{Budget, Error, Result};
 
-use super::{box_bytes, box_from};
-use crate::pg::{Args, Backend, Field, Rows, SqlValue, sql_functions};
+use super::box_bytes;
+use crate::pg::{Backend, Field, Message, SqlValue, TextInput, Varlena, sql_functions};
 
 /// Most tiles that `ab_tiles` returns.
 const MAX_TILES: f64 = 1e7;
@@ -23,14 +23,14 @@ pub fn grid_ret(grid: &Grid) -> Result<SqlValue> {
     Ok(SqlValue::Bytes(WORDS.encode(&text)?))
 }
 
-/// The grid in argument `i`.
-pub fn grid_arg(args: &Args, i: usize) -> Result<Grid> {
-    WORDS.decode(args.bytes(i), Grid::from_text)
-}
+/// A grid.
+pub type GridArg<'a> = Varlena<'a, Grid>;
 
-/// The box in argument `i`, or all space.
-pub fn tile_arg(args: &Args, i: usize) -> Aabb {
-    if args.is_null(i) { Grid::EVERYWHERE } else { box_from(&args.fixed(i)) }
+impl GridArg<'_> {
+    /// The grid.
+    pub fn read(&self) -> Result<Grid> {
+        WORDS.decode(self.bytes(), Grid::from_text)
+    }
 }
 
 /// Numbers of the tiles of `size` that meet a box along an axis: the first, and the one after the last.
@@ -40,28 +40,20 @@ fn numbers(area: &Aabb, axis: usize, size: f64) -> [f64; 2] {
 }
 
 sql_functions! {
-    fn ab_grid_in(args) { grid_ret(&Grid::from_text(&args.cstring(0))?) }
+    fn ab_grid_in(text: TextInput) { grid_ret(&Grid::from_text(&text.text())?) }
 
-    fn ab_grid_out(args) { Ok(SqlValue::CString(grid_arg(args, 0)?.to_text())) }
+    fn ab_grid_out(grid: GridArg) { Ok(SqlValue::CString(grid.read()?.to_text())) }
 
-    fn ab_grid_recv(args) { grid_ret(&WORDS.decode(args.message(0), Grid::from_text)?) }
+    fn ab_grid_recv(message: Message) { grid_ret(&WORDS.decode(message.rest(), Grid::from_text)?) }
 
-    fn ab_grid_send(args) { Ok(args.copied(0)) }
+    fn ab_grid_send(grid: GridArg) { Ok(grid.copied()) }
 
-    /// ab_grid(voxel, tile, margin, no_return_range, exact)
-    fn ab_grid_make(args) {
-        if [0, 2, 3, 4].iter().any(|&i| args.is_null(i)) {
-            return Ok(SqlValue::Null);
-        }
-        let range = args.f64(3);
+    fn ab_grid_make(voxel: f64, tile: Option<Aabb>, margin: f64, range: f64, exact: bool) {
         let range = if range == f64::INFINITY { NO_RETURN_REACH_M } else { range };
-        grid_ret(&Grid { exact: args.bool(4), ..Grid::new(args.f64(0), tile_arg(args, 1), args.f64(2), range)? })
+        grid_ret(&Grid { exact, ..Grid::new(voxel, tile.unwrap_or(Grid::EVERYWHERE), margin, range)? })
     }
 
-    /// ab_tiles(area, size)
-    fn ab_tiles(args) {
-        let mut rows = Rows::new(args)?;
-        let (area, size) = (box_from(&args.fixed(0)), args.f64(1));
+    fn ab_tiles(rows: Rows; area: Aabb, size: f64) {
         if !(size > 0.0 && size.is_finite()) {
             return Err(Error::argument("the size of a tile", "more than 0 m, and finite", size));
         }

@@ -4,19 +4,19 @@ use asbuilt_core::error::Limited;
 use asbuilt_core::num::text::{from_hex, to_hex};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Args, Backend, SqlValue};
+use crate::pg::{Backend, SqlValue, TextInput, Varlena};
 
 /// Longest text PostgreSQL can hold, with its terminator.
 const MAX_TEXT: usize = (1 << 30) - 2;
 
-/// The bytes that the text in argument 0 of an input function represents.
-pub fn hex_in(args: &Args, ty: &'static str, prefix: &str) -> Result<Vec<u8>> {
-    from_hex(ty, prefix, args.cstring_bytes(0), &Backend)
+/// The bytes that the text represents.
+pub fn hex_in(text: &TextInput, ty: &'static str, prefix: &str) -> Result<Vec<u8>> {
+    from_hex(ty, prefix, text.bytes(), &Backend)
 }
 
-/// The text of the value in argument 0.
-pub fn hex_out(args: &Args, prefix: &str) -> Result<SqlValue> {
-    let bytes = args.bytes(0);
+/// The text of a value.
+pub fn hex_out<T>(value: &Varlena<T>, prefix: &str) -> Result<SqlValue> {
+    let bytes = value.bytes();
     let length = prefix.len() + 2 * bytes.len();
     if length > MAX_TEXT {
         let (value, limit) =

@@ -2,11 +2,10 @@
 
 use asbuilt_core::evidence::Loa;
 
-use crate::pg::{Field, Rows, SqlValue, sql_functions};
+use crate::pg::{Field, SqlValue, sql_functions};
 
 sql_functions! {
-    fn ab_loa_class(args) {
-        let mut rows = Rows::new(args)?;
+    fn ab_loa_class(rows: Rows;) {
         for loa in Loa::ALL {
             rows.push(&[
                 Field::Loa(loa),
@@ -20,7 +19,7 @@ sql_functions! {
     }
 
     /// ab_upper_bound(loa)
-    fn ab_tolerance(args) {
-        Ok(SqlValue::F64(args.loa(0)?.upper()))
+    fn ab_tolerance(loa: Loa) {
+        Ok(SqlValue::F64(loa.upper()))
     }
 }

@@ -3,17 +3,11 @@
 use asbuilt_core::evidence::{Hypothesis, Mass};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Args, SqlValue, sql_functions};
+use crate::pg::{Message, SqlValue, TextInput, sql_functions};
 
 /// The stored form.
 pub fn mass_bytes(m: &Mass) -> Vec<u8> {
     [m.occupied, m.empty, m.unknown].iter().flat_map(|c| (c + 0.0).to_ne_bytes()).collect()
-}
-
-/// The mass in argument `i`.
-pub fn mass_arg(args: &Args, i: usize) -> Mass {
-    let [occupied, empty, unknown] = args.numbers(i);
-    Mass { occupied, empty, unknown }
 }
 
 /// Returns a mass.
@@ -28,26 +22,29 @@ fn received(bytes: &[u8]) -> Result<Mass> {
 }
 
 sql_functions! {
-    fn ab_mass_in(args) { mass_ret(&Mass::from_text(&args.cstring(0))?) }
+    fn ab_mass_in(text: TextInput) { mass_ret(&Mass::from_text(&text.text())?) }
 
-    fn ab_mass_out(args) { Ok(SqlValue::CString(mass_arg(args, 0).to_text())) }
+    fn ab_mass_out(mass: Mass) { Ok(SqlValue::CString(mass.to_text())) }
 
-    fn ab_mass_recv(args) { mass_ret(&received(args.message(0))?) }
+    fn ab_mass_recv(message: Message) { mass_ret(&received(message.rest())?) }
 
-    fn ab_mass_send(args) {
-        let m = mass_arg(args, 0);
-        Ok(SqlValue::Bytes([m.occupied, m.empty, m.unknown].iter().flat_map(|c| c.to_be_bytes()).collect()))
+    fn ab_mass_send(mass: Mass) {
+        Ok(SqlValue::Bytes([mass.occupied, mass.empty, mass.unknown].iter().flat_map(|c| c.to_be_bytes()).collect()))
     }
 
-    fn ab_mass_make(args) { mass_ret(&Mass::new(args.f64(0), args.f64(1))?) }
+    fn ab_mass_make(occupied: f64, empty: f64) { mass_ret(&Mass::new(occupied, empty)?) }
 
-    fn ab_mass_belief(args) { Ok(SqlValue::F64(mass_arg(args, 0).belief(Hypothesis::parse(&args.text(1))?))) }
+    fn ab_mass_belief(mass: Mass, hypothesis: String) {
+        Ok(SqlValue::F64(mass.belief(Hypothesis::parse(&hypothesis)?)))
+    }
 
-    fn ab_mass_plausibility(args) { Ok(SqlValue::F64(mass_arg(args, 0).plausibility(Hypothesis::parse(&args.text(1))?))) }
+    fn ab_mass_plausibility(mass: Mass, hypothesis: String) {
+        Ok(SqlValue::F64(mass.plausibility(Hypothesis::parse(&hypothesis)?)))
+    }
 
-    fn ab_mass_combine(args) { mass_ret(&mass_arg(args, 0).combine(&mass_arg(args, 1))?) }
+    fn ab_mass_combine(m1: Mass, m2: Mass) { mass_ret(&m1.combine(&m2)?) }
 
-    fn ab_mass_conflict(args) { Ok(SqlValue::F64(mass_arg(args, 0).conflict(&mass_arg(args, 1)))) }
+    fn ab_mass_conflict(m1: Mass, m2: Mass) { Ok(SqlValue::F64(m1.conflict(&m2))) }
 
-    fn ab_mass_equal(args) { Ok(SqlValue::Bool(mass_arg(args, 0) == mass_arg(args, 1))) }
+    fn ab_mass_equal(a: Mass, b: Mass) { Ok(SqlValue::Bool(a == b)) }
 }

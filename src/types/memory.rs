@@ -3,9 +3,7 @@
 use crate::pg::{Field, SqlValue, memory_in_use, sql_functions};
 
 sql_functions! {
-    /// ab_memory(from_now)
-    fn ab_memory(args) {
-        let from_now = args.has(0) && args.bool(0);
-        Ok(SqlValue::Row(memory_in_use(from_now).map(Field::I64).to_vec()))
+    fn ab_memory(from_now: Option<bool>) {
+        Ok(SqlValue::Row(memory_in_use(from_now.unwrap_or(false)).map(Field::I64).to_vec()))
     }
 }

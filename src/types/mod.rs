@@ -1,10 +1,12 @@
 //! One SQL type per file: input, output, receive, send, constructors, accessors.
 
+use crate::pg::Declared;
+
 mod aabb;
 mod accuracy;
 mod belief;
 mod change;
-pub mod evidence;
+mod evidence;
 mod evidence_model;
 mod grid;
 mod hex;
@@ -28,8 +30,46 @@ mod verify_table;
 mod voxelize;
 
 pub use aabb::{BOX_LEN, box_bytes, box_from};
-pub use evidence_model::{Given, model_arg};
-pub use grid::grid_arg;
-pub use mass::{mass_arg, mass_bytes, mass_ret};
+pub use evidence::EvidenceArg;
+pub use evidence_model::{Given, ModelArg, model_or_default};
+pub use grid::GridArg;
+pub use mass::{mass_bytes, mass_ret};
+pub use occupancy::OccupancyArg;
 pub use patch::beams;
-pub use summary::{shift_arg, summary_arg, summary_fields};
+pub use scan::ScanArg;
+pub use solid::SolidArg;
+pub use summary::{summary, summary_fields};
+
+/// What SQL is to declare, file by file.
+pub const DECLARED: &[&[Declared]] = &[
+    aabb::DECLARED,
+    accuracy::DECLARED,
+    belief::DECLARED,
+    change::DECLARED,
+    evidence::DECLARED,
+    evidence_model::DECLARED,
+    grid::DECLARED,
+    loa::DECLARED,
+    mass::DECLARED,
+    memory::DECLARED,
+    occupancy::DECLARED,
+    order::DECLARED,
+    overlap::DECLARED,
+    patch::DECLARED,
+    relation::DECLARED,
+    samples::DECLARED,
+    scan::DECLARED,
+    sensor::DECLARED,
+    solid::DECLARED,
+    summary::DECLARED,
+    verify_table::DECLARED,
+    voxelize::DECLARED,
+    uncertain::compare::DECLARED,
+    uncertain::construct::DECLARED,
+    uncertain::io::DECLARED,
+    uncertain::line::DECLARED,
+    uncertain::plane::DECLARED,
+    uncertain::point::DECLARED,
+    uncertain::pose::DECLARED,
+    uncertain::relations::DECLARED,
+];

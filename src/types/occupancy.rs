@@ -1,14 +1,16 @@
 //! `ab_occupancy`: core's byte form, on disk and on the wire; in hexadecimal as text; and the functions on it.
 
-use asbuilt_core::geometry::Solid;
+use asbuilt_core::geometry::Aabb;
 use asbuilt_core::voxel::{Grid, Mask, Occupancy, Rule, Settings, State, TileHeader};
 use asbuilt_core::{Error, Result};
 
-use super::grid::{grid_arg, grid_ret};
+use super::box_bytes;
+use super::grid::{GridArg, grid_ret};
 use super::hex::{hex_in, hex_out};
+use super::overlap::TileArg;
 use super::rollup::rolled_up;
-use super::{box_bytes, box_from};
-use crate::pg::{Account, Args, Backend, Field, Rows, SqlValue, sql_functions};
+use super::solid::SolidArg;
+use crate::pg::{Account, Backend, Field, Message, SqlValue, TextArray, TextInput, Varlena, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_occupancy:1:";
@@ -17,9 +19,19 @@ fn read(bytes: &[u8]) -> Result<Occupancy> {
     Occupancy::from_bytes(bytes, &Backend)
 }
 
-/// The occupancy in argument `i`.
-pub fn occupancy_arg(args: &Args, i: usize) -> Result<Occupancy> {
-    read(args.bytes(i))
+/// An occupancy.
+pub type OccupancyArg<'a> = Varlena<'a, Occupancy>;
+
+impl OccupancyArg<'_> {
+    /// The whole of it.
+    pub fn read(&self) -> Result<Occupancy> {
+        read(self.bytes())
+    }
+
+    /// Its header alone.
+    fn header(&self) -> Result<TileHeader> {
+        Occupancy::header(self.prefix(TileHeader::LEN))
+    }
 }
 
 /// The stored form.
@@ -27,18 +39,12 @@ pub fn occupancy_ret(occupancy: &Occupancy) -> Result<SqlValue> {
     Ok(SqlValue::Bytes(occupancy.to_bytes(&Backend)?))
 }
 
-/// The words of a `text[]`.
-pub fn words(args: &Args, i: usize, what: &'static str) -> Result<Vec<String>> {
-    let words = args.bytes_array(i, what)?;
-    Ok(words.into_iter().map(|w| String::from_utf8_lossy(w).into_owned()).collect())
-}
-
-/// The voxels of a grid, and within `margin` metres around its tile, that the solid in argument `i` touches; for an
-/// open solid those of its surface.
-pub fn cover(args: &Args, i: usize, grid: &Grid, margin: f64) -> Result<Mask> {
+/// The voxels of a grid, and within `margin` metres around its tile, that a solid touches; for an open
+/// solid those of its surface.
+pub fn cover(solid: &SolidArg, grid: &Grid, margin: f64) -> Result<Mask> {
     let tile = grid.tile.expanded(margin + grid.voxel);
     let grid = &Grid { tile, ..*grid };
-    let solid = Solid::from_stored(args.bytes(i), &Backend)?;
+    let solid = solid.read()?;
     let rule = if solid.volume().is_ok() { Rule::Cover } else { Rule::Surface };
     Mask::of(&solid, grid, rule, &Backend)
 }
@@ -52,58 +58,53 @@ fn voxels_of_tile(grid: &Grid) -> Option<u64> {
 sql_functions! {
     on Account::Grid;
 
-    fn ab_occupancy_in(args) { occupancy_ret(&read(&hex_in(args, "ab_occupancy", PREFIX)?)?) }
+    fn ab_occupancy_in(text: TextInput) { occupancy_ret(&read(&hex_in(&text, "ab_occupancy", PREFIX)?)?) }
 
-    fn ab_occupancy_out(args) { hex_out(args, PREFIX) }
+    fn ab_occupancy_out(occupancy: OccupancyArg) { hex_out(&occupancy, PREFIX) }
 
-    fn ab_occupancy_recv(args) { occupancy_ret(&read(args.message(0))?) }
+    fn ab_occupancy_recv(message: Message) { occupancy_ret(&read(message.rest())?) }
 
-    fn ab_occupancy_send(args) { Ok(args.copied(0)) }
+    fn ab_occupancy_send(occupancy: OccupancyArg) { Ok(occupancy.copied()) }
 
-    /// ab_occupancy(grid, model)
-    fn ab_occupancy_empty(args) {
-        let grid = grid_arg(args, 0)?;
-        occupancy_ret(&if args.bool(1) { Occupancy::of_model(grid) } else { Occupancy::new(grid) })
+    fn ab_occupancy_empty(grid: GridArg, model: bool) {
+        let grid = grid.read()?;
+        occupancy_ret(&if model { Occupancy::of_model(grid) } else { Occupancy::new(grid) })
     }
 
-    fn ab_occupancy_clip(args) {
-        occupancy_ret(&occupancy_arg(args, 0)?.clipped(&box_from(&args.fixed(1)), &Backend)?)
+    fn ab_occupancy_clip(occupancy: OccupancyArg, tile: Aabb) {
+        occupancy_ret(&occupancy.read()?.clipped(&tile, &Backend)?)
     }
 
-    fn ab_occupancy_grid(args) { grid_ret(&Occupancy::header(args.prefix(0, TileHeader::LEN))?.grid) }
+    fn ab_occupancy_grid(occupancy: OccupancyArg) { grid_ret(&occupancy.header()?.grid) }
 
     /// ab_box(occupancy), ab_box(change)
-    fn ab_tile_box(args) {
-        let bounds = TileHeader::read(args.prefix(0, TileHeader::LEN))?.bounds();
+    fn ab_tile_box(tile: TileArg) {
+        let bounds = TileHeader::read(tile.prefix(TileHeader::LEN))?.bounds();
         Ok(bounds.map_or(SqlValue::Null, |b| SqlValue::Fixed(box_bytes(&b))))
     }
 
-    /// ab_rollup(occupancy, occupancy)
-    fn ab_occupancy_rollup(args) {
-        rolled_up(args, || {
-            let mut sum = occupancy_arg(args, 0)?;
-            sum.merge(&occupancy_arg(args, 1)?, &Backend)?;
+    fn ab_occupancy_rollup(o1: Option<OccupancyArg>, o2: Option<OccupancyArg>) {
+        rolled_up(o1, o2, |o1, o2| {
+            let mut sum = o1.read()?;
+            sum.merge(&o2.read()?, &Backend)?;
             occupancy_ret(&sum)
         })
     }
 
-    /// ab_state(occupancy, x, y, z, threshold)
-    fn ab_occupancy_state(args) {
-        let point = [1, 2, 3].map(|i| args.f64(i)).into();
-        let header = Occupancy::header(args.prefix(0, TileHeader::LEN))?;
-        let (voxel, threshold) = (header.grid.index(&point)?, Settings::threshold(args.i32(4))?);
-        Ok(SqlValue::text(occupancy_arg(args, 0)?.state(voxel, threshold).name()))
+    fn ab_occupancy_state(occupancy: OccupancyArg, x: f64, y: f64, z: f64, threshold: i32) {
+        let point = [x, y, z].into();
+        let header = occupancy.header()?;
+        let (voxel, threshold) = (header.grid.index(&point)?, Settings::threshold(threshold)?);
+        Ok(SqlValue::text(occupancy.read()?.state(voxel, threshold).name()))
     }
 
-    /// ab_voxels(occupancy, states, threshold)
-    fn ab_occupancy_voxels(args) {
-        let mut rows = Rows::new(args)?;
-        let states: Vec<State> = words(args, 1, "the states")?.iter().map(|w| State::parse(w)).collect::<Result<_>>()?;
+    fn ab_occupancy_voxels(rows: Rows; occupancy: OccupancyArg, states: TextArray, threshold: i32) {
+        let states: Vec<State> = states.words("the states")?.iter().map(|w| State::parse(w)).collect::<Result<_>>()?;
         if states.contains(&State::Unknown) {
             return Err(Error::argument("a state", "occupied, ambiguous or empty: unknown space has no end", "unknown"));
         }
-        let occupancy = occupancy_arg(args, 0)?;
-        occupancy.for_each(Settings::threshold(args.i32(2))?, &Backend, |voxel, state, hits| {
+        let occupancy = occupancy.read()?;
+        occupancy.for_each(Settings::threshold(threshold)?, &Backend, |voxel, state, hits| {
             if states.contains(&state) {
                 let centre = occupancy.grid().centre(voxel);
                 let place = [0, 1, 2].map(|i| Field::F64(centre[i]));
@@ -114,23 +115,17 @@ sql_functions! {
         Ok(SqlValue::Null)
     }
 
-    /// ab_slice(occupancy, axis, at, threshold)
-    fn ab_occupancy_slice(args) {
-        let name = args.text(1);
+    fn ab_occupancy_slice(occupancy: OccupancyArg, name: String, at: f64, threshold: i32) {
         let Some(axis) = ["x", "y", "z"].iter().position(|a| *a == name) else {
             return Err(Error::argument("the axis", "x, y or z", name));
         };
-        let slice = occupancy_arg(args, 0)?.slice(axis, args.f64(2), Settings::threshold(args.i32(3))?, &Backend)?;
+        let slice = occupancy.read()?.slice(axis, at, Settings::threshold(threshold)?, &Backend)?;
         Ok(SqlValue::I32Array(slice.states, vec![slice.rows as i32, slice.columns as i32]))
     }
 
-    /// ab_summary(occupancy, threshold, solid)
-    fn ab_occupancy_summary(args) {
-        if args.is_null(0) || args.is_null(1) {
-            return Ok(SqlValue::Null);
-        }
-        let (occupancy, threshold) = (occupancy_arg(args, 0)?, Settings::threshold(args.i32(1))?);
-        let mask = if args.is_null(2) { None } else { Some(cover(args, 2, occupancy.grid(), 0.0)?) };
+    fn ab_occupancy_summary(occupancy: OccupancyArg, threshold: i32, solid: Option<SolidArg>) {
+        let (occupancy, threshold) = (occupancy.read()?, Settings::threshold(threshold)?);
+        let mask = solid.map(|s| cover(&s, occupancy.grid(), 0.0)).transpose()?;
         let tally = occupancy.tally(threshold, mask.as_ref(), &Backend)?;
         let known = tally.occupied + tally.ambiguous + tally.empty;
         let span = occupancy.grid().span();
@@ -146,14 +141,13 @@ sql_functions! {
         Ok(SqlValue::Row(counts.into_iter().chain(volumes).collect()))
     }
 
-    /// ab_denoise(occupancy, neighbours, threshold)
-    fn ab_occupancy_denoise(args) {
-        let Some(neighbours) = u32::try_from(args.i32(1)).ok().filter(|n| *n <= 26) else {
-            return Err(Error::argument("the number of neighbours", "from 0 to 26", args.i32(1)));
+    fn ab_occupancy_denoise(occupancy: OccupancyArg, neighbours: i32, threshold: i32) {
+        let Some(count) = u32::try_from(neighbours).ok().filter(|n| *n <= 26) else {
+            return Err(Error::argument("the number of neighbours", "from 0 to 26", neighbours));
         };
-        let threshold = Settings::threshold(args.i32(2))?;
-        occupancy_ret(&occupancy_arg(args, 0)?.denoised(neighbours, threshold, &Backend)?)
+        let threshold = Settings::threshold(threshold)?;
+        occupancy_ret(&occupancy.read()?.denoised(count, threshold, &Backend)?)
     }
 
-    fn ab_occupancy_downsample(args) { occupancy_ret(&occupancy_arg(args, 0)?.downsampled(&Backend)?) }
+    fn ab_occupancy_downsample(occupancy: OccupancyArg) { occupancy_ret(&occupancy.read()?.downsampled(&Backend)?) }
 }

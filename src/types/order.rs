@@ -10,7 +10,10 @@ use asbuilt_core::verify::Evidence;
 use asbuilt_core::voxel::{Change, Occupancy};
 use asbuilt_core::{Budget, Error, Result};
 
-use crate::pg::{Args, Backend, SqlValue, sql_functions};
+use crate::pg::{Backend, Compared, SqlValue, Varlena, sql_functions};
+
+/// A value of any of these types.
+type Any<'a> = Varlena<'a, Compared>;
 
 /// Bytes compared or hashed between two looks at the interrupt.
 const PIECE: usize = 1 << 24;
@@ -31,8 +34,8 @@ fn current(bytes: &[u8]) -> Result<Cow<'_, [u8]>> {
     })
 }
 
-fn order(args: &Args) -> Result<Ordering> {
-    let (a, b) = (current(args.bytes(0))?, current(args.bytes(1))?);
+fn order(a: &Any, b: &Any) -> Result<Ordering> {
+    let (a, b) = (current(a.bytes())?, current(b.bytes())?);
     for (a, b) in a.chunks(PIECE).zip(b.chunks(PIECE)) {
         Backend.poll()?;
         let order = a[..a.len().min(b.len())].cmp(&b[..a.len().min(b.len())]);
@@ -57,22 +60,20 @@ fn plain(bytes: &[u8]) -> Result<SqlValue> {
     Ok(SqlValue::I32(hash(bytes, 0)? as i32))
 }
 
-/// With the seed in argument 1, in 64 bits; without one the low half is the plain hash.
-fn extended(args: &Args, bytes: &[u8]) -> Result<SqlValue> {
+/// With a seed, in 64 bits; without one the low half is the plain hash.
+fn extended(bytes: &[u8], seed: i64) -> Result<SqlValue> {
     let wide = u64::from(hash(bytes, 0x9e37_79b9)?) << 32 | u64::from(hash(bytes, 0)?);
-    Ok(SqlValue::I64((wide ^ (args.i64(1) as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)) as i64))
+    Ok(SqlValue::I64((wide ^ (seed as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15)) as i64))
 }
 
 sql_functions! {
-    fn ab_bytes_eq(args) { Ok(SqlValue::Bool(order(args)?.is_eq())) }
-    fn ab_bytes_ne(args) { Ok(SqlValue::Bool(order(args)?.is_ne())) }
-    fn ab_bytes_lt(args) { Ok(SqlValue::Bool(order(args)?.is_lt())) }
-    fn ab_bytes_le(args) { Ok(SqlValue::Bool(order(args)?.is_le())) }
-    fn ab_bytes_ge(args) { Ok(SqlValue::Bool(order(args)?.is_ge())) }
-    fn ab_bytes_gt(args) { Ok(SqlValue::Bool(order(args)?.is_gt())) }
-    fn ab_bytes_compare(args) { Ok(SqlValue::I32(order(args)? as i32)) }
-    fn ab_bytes_hash(args) { plain(&current(args.bytes(0))?) }
-    fn ab_bytes_hash_extended(args) { extended(args, &current(args.bytes(0))?) }
-
-
+    fn ab_bytes_eq(a: Any, b: Any) { Ok(SqlValue::Bool(order(&a, &b)?.is_eq())) }
+    fn ab_bytes_ne(a: Any, b: Any) { Ok(SqlValue::Bool(order(&a, &b)?.is_ne())) }
+    fn ab_bytes_lt(a: Any, b: Any) { Ok(SqlValue::Bool(order(&a, &b)?.is_lt())) }
+    fn ab_bytes_le(a: Any, b: Any) { Ok(SqlValue::Bool(order(&a, &b)?.is_le())) }
+    fn ab_bytes_ge(a: Any, b: Any) { Ok(SqlValue::Bool(order(&a, &b)?.is_ge())) }
+    fn ab_bytes_gt(a: Any, b: Any) { Ok(SqlValue::Bool(order(&a, &b)?.is_gt())) }
+    fn ab_bytes_compare(a: Any, b: Any) { Ok(SqlValue::I32(order(&a, &b)? as i32)) }
+    fn ab_bytes_hash(a: Any) { plain(&current(a.bytes())?) }
+    fn ab_bytes_hash_extended(a: Any, seed: i64) { extended(&current(a.bytes())?, seed) }
 }

@@ -1,57 +1,56 @@
 //! The box by which each type is indexed, and `&&` between them; only headers are read.
 
 use asbuilt_core::Result;
-use asbuilt_core::geometry::{Aabb, Solid};
-use asbuilt_core::scan::{Header, JOIN_MARGIN_M};
+use asbuilt_core::geometry::Aabb;
+use asbuilt_core::scan::JOIN_MARGIN_M;
 use asbuilt_core::uncertain::{Line, Point};
 use asbuilt_core::voxel::TileHeader;
 
-use super::{box_from, uncertain};
-use crate::pg::{Args, SqlValue, sql_functions};
+use super::scan::ScanArg;
+use super::solid::SolidArg;
+use crate::pg::{SqlValue, Tile, Varlena, sql_functions};
+
+/// An occupancy or a change.
+pub type TileArg<'a> = Varlena<'a, Tile>;
 
 /// Standard deviations by which a point or line is grown: searches within up to this many are served by an index.
 pub const INDEX_SIGMAS: f64 = 5.0;
 
-/// A box itself.
-pub fn of_box(args: &Args, i: usize) -> Result<Aabb> {
-    Ok(box_from(&args.fixed(i)))
-}
-
 /// The box of a solid.
-pub fn of_solid(args: &Args, i: usize) -> Result<Aabb> {
-    Ok(Solid::header(args.prefix(i, Solid::HEADER_LEN))?.bounds)
+pub fn of_solid(solid: &SolidArg) -> Result<Aabb> {
+    Ok(solid.header()?.bounds)
 }
 
 /// The box within which a point may belong to a solid.
-pub fn near_solid(args: &Args, i: usize) -> Result<Aabb> {
-    Ok(of_solid(args, i)?.expanded(JOIN_MARGIN_M))
+pub fn near_solid(solid: &SolidArg) -> Result<Aabb> {
+    Ok(of_solid(solid)?.expanded(JOIN_MARGIN_M))
 }
 
 /// For a scan, the hull of its beams, origin included.
-pub fn of_scan(args: &Args, i: usize) -> Result<Aabb> {
-    Ok(Header::read(args.prefix(i, Header::LEN))?.hull)
+pub fn of_scan(patch: &ScanArg) -> Result<Aabb> {
+    Ok(patch.header()?.hull)
 }
 
 /// A point grown by [`INDEX_SIGMAS`].
-pub fn of_point(args: &Args, i: usize) -> Result<Aabb> {
-    Ok(uncertain::value::<Point, 9>(args, i).bounds(INDEX_SIGMAS))
+pub fn of_point(point: &Point) -> Result<Aabb> {
+    Ok(point.bounds(INDEX_SIGMAS))
 }
 
 /// A point at its coordinates, however uncertain.
-pub fn place(args: &Args, i: usize) -> Result<Aabb> {
-    let at = uncertain::value::<Point, 9>(args, i).position.into();
-    Ok(Aabb { min: at, max: at })
+pub fn place(point: &Point) -> Aabb {
+    let at = point.position.into();
+    Aabb { min: at, max: at }
 }
 
 /// A line grown by [`INDEX_SIGMAS`].
-pub fn of_line(args: &Args, i: usize) -> Result<Aabb> {
-    Ok(uncertain::value::<Line, 27>(args, i).bounds(INDEX_SIGMAS))
+pub fn of_line(line: &Line) -> Result<Aabb> {
+    Ok(line.bounds(INDEX_SIGMAS))
 }
 
 /// The blocks of an occupancy or a change about which something is known; if there are none, the tile, or the origin
 /// where the tile is unbounded.
-pub fn of_tile(args: &Args, i: usize) -> Result<Aabb> {
-    tile_box(args.prefix(i, TileHeader::LEN))
+pub fn of_tile(tile: &TileArg) -> Result<Aabb> {
+    tile_box(tile.prefix(TileHeader::LEN))
 }
 
 /// The same from the value's first bytes.
@@ -61,34 +60,31 @@ pub fn tile_box(prefix: &[u8]) -> Result<Aabb> {
     Ok(header.bounds().unwrap_or(tile))
 }
 
-/// How to find the box of an argument.
-pub type BoxOf = fn(&Args, usize) -> Result<Aabb>;
-
-fn overlaps(args: &Args, left: BoxOf, right: BoxOf) -> Result<SqlValue> {
-    Ok(SqlValue::Bool(left(args, 0)?.overlaps(&right(args, 1)?)))
+fn overlaps(a: Result<Aabb>, b: Result<Aabb>) -> Result<SqlValue> {
+    Ok(SqlValue::Bool(a?.overlaps(&b?)))
 }
 
 sql_functions! {
-    fn ab_overlaps_box_box(args) { overlaps(args, of_box, of_box) }
-    fn ab_overlaps_box_solid(args) { overlaps(args, of_box, of_solid) }
-    fn ab_overlaps_box_scan(args) { overlaps(args, of_box, of_scan) }
-    fn ab_overlaps_solid_box(args) { overlaps(args, of_solid, of_box) }
-    fn ab_overlaps_solid_solid(args) { overlaps(args, of_solid, of_solid) }
-    fn ab_overlaps_solid_scan(args) { overlaps(args, of_solid, of_scan) }
-    fn ab_overlaps_scan_box(args) { overlaps(args, of_scan, of_box) }
-    fn ab_overlaps_scan_solid(args) { overlaps(args, of_scan, of_solid) }
-    fn ab_overlaps_scan_scan(args) { overlaps(args, of_scan, of_scan) }
+    fn ab_overlaps_box_box(a: Aabb, b: Aabb) { overlaps(Ok(a), Ok(b)) }
+    fn ab_overlaps_box_solid(a: Aabb, b: SolidArg) { overlaps(Ok(a), of_solid(&b)) }
+    fn ab_overlaps_box_scan(a: Aabb, b: ScanArg) { overlaps(Ok(a), of_scan(&b)) }
+    fn ab_overlaps_solid_box(a: SolidArg, b: Aabb) { overlaps(of_solid(&a), Ok(b)) }
+    fn ab_overlaps_solid_solid(a: SolidArg, b: SolidArg) { overlaps(of_solid(&a), of_solid(&b)) }
+    fn ab_overlaps_solid_scan(a: SolidArg, b: ScanArg) { overlaps(of_solid(&a), of_scan(&b)) }
+    fn ab_overlaps_scan_box(a: ScanArg, b: Aabb) { overlaps(of_scan(&a), Ok(b)) }
+    fn ab_overlaps_scan_solid(a: ScanArg, b: SolidArg) { overlaps(of_scan(&a), of_solid(&b)) }
+    fn ab_overlaps_scan_scan(a: ScanArg, b: ScanArg) { overlaps(of_scan(&a), of_scan(&b)) }
 
-    fn ab_overlaps_solid_point(args) { overlaps(args, near_solid, of_point) }
-    fn ab_overlaps_point_solid(args) { overlaps(args, of_point, near_solid) }
-    fn ab_overlaps_point_box(args) { overlaps(args, of_point, of_box) }
-    fn ab_overlaps_point_point(args) { overlaps(args, of_point, of_point) }
-    fn ab_overlaps_line_box(args) { overlaps(args, of_line, of_box) }
-    fn ab_overlaps_box_point(args) { overlaps(args, of_box, of_point) }
-    fn ab_overlaps_box_line(args) { overlaps(args, of_box, of_line) }
+    fn ab_overlaps_solid_point(a: SolidArg, b: Point) { overlaps(near_solid(&a), of_point(&b)) }
+    fn ab_overlaps_point_solid(a: Point, b: SolidArg) { overlaps(of_point(&a), near_solid(&b)) }
+    fn ab_overlaps_point_box(a: Point, b: Aabb) { overlaps(of_point(&a), Ok(b)) }
+    fn ab_overlaps_point_point(a: Point, b: Point) { overlaps(of_point(&a), of_point(&b)) }
+    fn ab_overlaps_line_box(a: Line, b: Aabb) { overlaps(of_line(&a), Ok(b)) }
+    fn ab_overlaps_box_point(a: Aabb, b: Point) { overlaps(Ok(a), of_point(&b)) }
+    fn ab_overlaps_box_line(a: Aabb, b: Line) { overlaps(Ok(a), of_line(&b)) }
 
-    fn ab_overlaps_tile_box(args) { overlaps(args, of_tile, of_box) }
-    fn ab_overlaps_box_tile(args) { overlaps(args, of_box, of_tile) }
-    fn ab_overlaps_tile_solid(args) { overlaps(args, of_tile, of_solid) }
-    fn ab_overlaps_solid_tile(args) { overlaps(args, of_solid, of_tile) }
+    fn ab_overlaps_tile_box(a: TileArg, b: Aabb) { overlaps(of_tile(&a), Ok(b)) }
+    fn ab_overlaps_box_tile(a: Aabb, b: TileArg) { overlaps(Ok(a), of_tile(&b)) }
+    fn ab_overlaps_tile_solid(a: TileArg, b: SolidArg) { overlaps(of_tile(&a), of_solid(&b)) }
+    fn ab_overlaps_solid_tile(a: SolidArg, b: TileArg) { overlaps(of_solid(&a), of_tile(&b)) }
 }

@@ -2,22 +2,18 @@
 
 use asbuilt_core::{Error, Result};
 
-use crate::pg::Args;
+use crate::pg::I32Array;
 
-/// Intensities of argument `i`, an `integer[]`; NULL, or no such argument (as in the SQL of 0.1.0), for none.
-pub fn intensity(args: &Args, i: usize) -> Result<Option<Vec<u16>>> {
-    if !args.has(i) {
-        return Ok(None);
-    }
-    args.i32_list(i, "the intensities")?.into_iter().map(one_intensity).collect::<Result<_>>().map(Some)
+/// Intensities.
+pub fn intensity(values: Option<&I32Array>) -> Result<Option<Vec<u16>>> {
+    let Some(values) = values else { return Ok(None) };
+    values.list("the intensities")?.into_iter().map(one_intensity).collect::<Result<_>>().map(Some)
 }
 
-/// Colours of argument `i`, an `integer[]` of n x 3; NULL for none.
-pub fn colour(args: &Args, i: usize) -> Result<Option<Vec<[u8; 3]>>> {
-    if !args.has(i) {
-        return Ok(None);
-    }
-    args.i32_triples(i, "the colours")?.into_iter().map(one_colour).collect::<Result<_>>().map(Some)
+/// Colours: n x 3.
+pub fn colour(values: Option<&I32Array>) -> Result<Option<Vec<[u8; 3]>>> {
+    let Some(values) = values else { return Ok(None) };
+    values.triples("the colours")?.into_iter().map(one_colour).collect::<Result<_>>().map(Some)
 }
 
 /// One intensity.

@@ -3,60 +3,62 @@
 
 use asbuilt_core::Result;
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::scan::Header;
+use asbuilt_core::uncertain::Point;
 
-use super::overlap::{BoxOf, of_box, of_point, of_scan, of_solid, of_tile, place};
-use crate::pg::{Args, SqlValue, sql_functions};
+use super::overlap::{TileArg, of_point, of_scan, of_solid, of_tile, place};
+use super::scan::ScanArg;
+use super::solid::SolidArg;
+use crate::pg::{SqlValue, sql_functions};
 
-fn contains(args: &Args, left: BoxOf) -> Result<SqlValue> {
-    Ok(SqlValue::Bool(left(args, 0)?.contains(&of_box(args, 1)?)))
+fn contains(a: Result<Aabb>, b: &Aabb) -> Result<SqlValue> {
+    Ok(SqlValue::Bool(a?.contains(b)))
 }
 
-fn contained(args: &Args, left: BoxOf) -> Result<SqlValue> {
-    Ok(SqlValue::Bool(of_box(args, 1)?.contains(&left(args, 0)?)))
+fn contained(a: Result<Aabb>, b: &Aabb) -> Result<SqlValue> {
+    Ok(SqlValue::Bool(b.contains(&a?)))
 }
 
-fn same(args: &Args, left: BoxOf) -> Result<SqlValue> {
-    Ok(SqlValue::Bool(left(args, 0)? == of_box(args, 1)?))
+fn same(a: Result<Aabb>, b: &Aabb) -> Result<SqlValue> {
+    Ok(SqlValue::Bool(a? == *b))
 }
 
-fn distance(args: &Args, left: BoxOf, right: BoxOf) -> Result<SqlValue> {
-    Ok(SqlValue::F64(left(args, 0)?.distance(&right(args, 1)?)))
+fn distance(a: Result<Aabb>, b: &Aabb) -> Result<SqlValue> {
+    Ok(SqlValue::F64(a?.distance(b)))
 }
 
 /// The box of a patch's returns; infinitely far where there are none.
-fn returns(args: &Args, i: usize) -> Result<Aabb> {
-    let header = Header::read(args.prefix(i, Header::LEN))?;
+fn returns(patch: &ScanArg) -> Result<Aabb> {
+    let header = patch.header()?;
     Ok(if header.returns > 0 { header.points } else { Aabb::EMPTY })
 }
 
 sql_functions! {
-    fn ab_box_contains(args) { contains(args, of_box) }
-    fn ab_box_contained(args) { contained(args, of_box) }
-    fn ab_box_distance(args) { distance(args, of_box, of_box) }
-    fn ab_box_distance_point(args) { distance(args, of_box, place) }
+    fn ab_box_contains(a: Aabb, b: Aabb) { contains(Ok(a), &b) }
+    fn ab_box_contained(a: Aabb, b: Aabb) { contained(Ok(a), &b) }
+    fn ab_box_distance(a: Aabb, b: Aabb) { distance(Ok(a), &b) }
+    fn ab_box_distance_point(a: Aabb, b: Point) { distance(Ok(a), &place(&b)) }
 
-    fn ab_solid_contains(args) { contains(args, of_solid) }
-    fn ab_solid_contained(args) { contained(args, of_solid) }
-    fn ab_solid_same(args) { same(args, of_solid) }
-    fn ab_solid_distance(args) { distance(args, of_solid, of_box) }
-    fn ab_solid_distance_point(args) { distance(args, of_solid, place) }
+    fn ab_solid_contains(a: SolidArg, b: Aabb) { contains(of_solid(&a), &b) }
+    fn ab_solid_contained(a: SolidArg, b: Aabb) { contained(of_solid(&a), &b) }
+    fn ab_solid_same(a: SolidArg, b: Aabb) { same(of_solid(&a), &b) }
+    fn ab_solid_distance(a: SolidArg, b: Aabb) { distance(of_solid(&a), &b) }
+    fn ab_solid_distance_point(a: SolidArg, b: Point) { distance(of_solid(&a), &place(&b)) }
 
-    fn ab_scan_contains(args) { contains(args, of_scan) }
-    fn ab_scan_contained(args) { contained(args, of_scan) }
-    fn ab_scan_same(args) { same(args, of_scan) }
-    fn ab_scan_distance_box(args) { distance(args, returns, of_box) }
-    fn ab_scan_distance_point(args) { distance(args, returns, place) }
+    fn ab_scan_contains(a: ScanArg, b: Aabb) { contains(of_scan(&a), &b) }
+    fn ab_scan_contained(a: ScanArg, b: Aabb) { contained(of_scan(&a), &b) }
+    fn ab_scan_same(a: ScanArg, b: Aabb) { same(of_scan(&a), &b) }
+    fn ab_scan_distance_box(a: ScanArg, b: Aabb) { distance(returns(&a), &b) }
+    fn ab_scan_distance_point(a: ScanArg, b: Point) { distance(returns(&a), &place(&b)) }
 
-    fn ab_point_contains(args) { contains(args, of_point) }
-    fn ab_point_contained(args) { contained(args, of_point) }
-    fn ab_point_same(args) { same(args, of_point) }
-    fn ab_point_distance(args) { distance(args, of_point, of_box) }
-    fn ab_point_distance_point(args) { distance(args, place, place) }
+    fn ab_point_contains(a: Point, b: Aabb) { contains(of_point(&a), &b) }
+    fn ab_point_contained(a: Point, b: Aabb) { contained(of_point(&a), &b) }
+    fn ab_point_same(a: Point, b: Aabb) { same(of_point(&a), &b) }
+    fn ab_point_distance(a: Point, b: Aabb) { distance(of_point(&a), &b) }
+    fn ab_point_distance_point(a: Point, b: Point) { distance(Ok(place(&a)), &place(&b)) }
 
-    fn ab_tile_contains(args) { contains(args, of_tile) }
-    fn ab_tile_contained(args) { contained(args, of_tile) }
-    fn ab_tile_same(args) { same(args, of_tile) }
-    fn ab_tile_distance(args) { distance(args, of_tile, of_box) }
-    fn ab_tile_distance_point(args) { distance(args, of_tile, place) }
+    fn ab_tile_contains(a: TileArg, b: Aabb) { contains(of_tile(&a), &b) }
+    fn ab_tile_contained(a: TileArg, b: Aabb) { contained(of_tile(&a), &b) }
+    fn ab_tile_same(a: TileArg, b: Aabb) { same(of_tile(&a), &b) }
+    fn ab_tile_distance(a: TileArg, b: Aabb) { distance(of_tile(&a), &b) }
+    fn ab_tile_distance_point(a: TileArg, b: Point) { distance(of_tile(&a), &place(&b)) }
 }

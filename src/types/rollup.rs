@@ -2,14 +2,17 @@
 
 use asbuilt_core::Result;
 
-use crate::pg::{Args, SqlValue};
+use crate::pg::{SqlValue, Varlena};
 
-/// Arguments 0 and 1 added up by `sum`; NULL counts as nothing.
-pub fn rolled_up(args: &Args, sum: impl FnOnce() -> Result<SqlValue>) -> Result<SqlValue> {
-    match (args.is_null(0), args.is_null(1)) {
-        (true, true) => Ok(SqlValue::Null),
-        (false, true) => Ok(args.copied(0)),
-        (true, false) => Ok(args.copied(1)),
-        (false, false) => sum(),
+/// `a` and `b` added up by `sum`; NULL counts as nothing.
+pub fn rolled_up<T>(
+    a: Option<Varlena<T>>,
+    b: Option<Varlena<T>>,
+    sum: impl FnOnce(Varlena<T>, Varlena<T>) -> Result<SqlValue>,
+) -> Result<SqlValue> {
+    match (a, b) {
+        (None, None) => Ok(SqlValue::Null),
+        (Some(one), None) | (None, Some(one)) => Ok(one.copied()),
+        (Some(a), Some(b)) => sum(a, b),
     }
 }

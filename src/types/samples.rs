@@ -1,11 +1,13 @@
 //! `ab_samples(evidence)`, `ab_faces(evidence)`, `ab_stations(evidence)`: what is believed where, and who saw it.
 
+use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::verify::{Evidence, Place};
+use asbuilt_core::verify::Place;
 
+use super::evidence::EvidenceArg;
 use super::mass_bytes;
 use super::summary::question;
-use crate::pg::{Account, Backend, Field, Rows, SqlValue, sql_functions};
+use crate::pg::{Account, Backend, Field, SqlValue, sql_functions};
 
 fn vector(v: &Vec3) -> Field {
     Field::Vector((*v).into())
@@ -14,13 +16,9 @@ fn vector(v: &Vec3) -> Field {
 sql_functions! {
     on Account::Evidence;
 
-    fn ab_samples(args) {
-        let mut rows = Rows::new(args)?;
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
-        let model = question(args, &e, 1)?;
+    fn ab_samples(rows: Rows; evidence: EvidenceArg, loa: Option<Loa>, confidence: Option<f64>) {
+        let e = evidence.read()?;
+        let model = question(&e, loa, confidence)?;
         e.for_each_sample(&model, &Backend, |position, normal, b| {
             rows.push(&[
                 vector(position),
@@ -34,13 +32,9 @@ sql_functions! {
         Ok(SqlValue::Null)
     }
 
-    fn ab_faces(args) {
-        let mut rows = Rows::new(args)?;
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
-        let model = question(args, &e, 1)?;
+    fn ab_faces(rows: Rows; evidence: EvidenceArg, loa: Option<Loa>, confidence: Option<f64>) {
+        let e = evidence.read()?;
+        let model = question(&e, loa, confidence)?;
         for f in e.faces(&model, &Backend)? {
             rows.push(&[
                 vector(&f.normal),
@@ -57,12 +51,9 @@ sql_functions! {
         Ok(SqlValue::Null)
     }
 
-    fn ab_stations(args) {
-        let mut rows = Rows::new(args)?;
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
+    fn ab_stations(rows: Rows; evidence: Option<EvidenceArg>) {
+        let Some(evidence) = evidence else { return Ok(SqlValue::Null) };
+        let e = evidence.read()?;
         for c in e.contributions(&Backend)? {
             let origin = if let Place::At(origin) = &c.place { vector(origin) } else { Field::Null };
             rows.push(&[Field::I64(c.station), origin, Field::I64(c.seen as i64), Field::I64(c.added as i64)]);

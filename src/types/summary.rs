@@ -1,35 +1,31 @@
 //! `ab_summary(evidence)`, `ab_verdict(evidence)`, `ab_shift(evidence)`: the answers.
 
 use asbuilt_core::Result;
+use asbuilt_core::evidence::Loa;
 use asbuilt_core::verify::{Evidence, EvidenceModel, Shift, Summary, VerdictRule};
 
-use crate::pg::{Account, Args, Backend, Field, SqlValue, sql_functions};
+use super::evidence::EvidenceArg;
+use crate::pg::{Account, Backend, Field, SqlValue, sql_functions};
 
-/// The evidence's model, with the level of accuracy in argument `i` and the confidence in the next, unless NULL.
-pub fn question(args: &Args, e: &Evidence, i: usize) -> Result<EvidenceModel> {
+/// The evidence's model, at this level of accuracy and confidence where they are given.
+pub fn question(e: &Evidence, loa: Option<Loa>, confidence: Option<f64>) -> Result<EvidenceModel> {
     let mut model = *e.model();
-    if !args.is_null(i) {
-        model.loa = args.loa(i)?;
-    }
-    if !args.is_null(i + 1) {
-        model.set("confidence", args.f64(i + 1))?;
+    model.loa = loa.unwrap_or(model.loa);
+    if let Some(confidence) = confidence {
+        model.set("confidence", confidence)?;
     }
     Ok(model)
 }
 
-/// The thresholds in argument `i` and the two after it, unless NULL.
-pub fn rule(args: &Args, i: usize) -> Result<VerdictRule> {
+/// The thresholds `min_confirmed`, `min_coverage` and `max_conflict` where they are given.
+pub fn rule([min_confirmed, min_coverage, max_conflict]: [Option<f64>; 3]) -> Result<VerdictRule> {
     let mut rule = VerdictRule::default();
-    for (k, (what, place)) in [
-        ("min_confirmed", &mut rule.min_confirmed),
-        ("min_coverage", &mut rule.min_coverage),
-        ("max_conflict", &mut rule.max_conflict),
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        if !args.is_null(i + k) {
-            let value = args.f64(i + k);
+    for (what, place, value) in [
+        ("min_confirmed", &mut rule.min_confirmed, min_confirmed),
+        ("min_coverage", &mut rule.min_coverage, min_coverage),
+        ("max_conflict", &mut rule.max_conflict, max_conflict),
+    ] {
+        if let Some(value) = value {
             if !(0.0..=1.0).contains(&value) {
                 return Err(asbuilt_core::Error::argument(what, "between 0 and 1", value));
             }
@@ -39,21 +35,15 @@ pub fn rule(args: &Args, i: usize) -> Result<VerdictRule> {
     Ok(rule)
 }
 
-/// The summary of the evidence in argument 0, as the arguments behind it ask; none for NULL.
-pub fn summary_arg(args: &Args) -> Result<Option<Summary>> {
-    if args.is_null(0) {
-        return Ok(None);
-    }
-    let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
-    e.summary(&question(args, &e, 1)?, &rule(args, 3)?, &Backend).map(Some)
-}
-
-/// The rigid offset of the evidence in argument 0; none for NULL, and where no direction is determined.
-pub fn shift_arg(args: &Args) -> Result<Option<Shift>> {
-    if args.is_null(0) {
-        return Ok(None);
-    }
-    Evidence::from_bytes(args.bytes(0), &Backend)?.rigid_shift(&Backend)
+/// The summary of evidence as it is asked for.
+pub fn summary(
+    evidence: &EvidenceArg,
+    loa: Option<Loa>,
+    confidence: Option<f64>,
+    thresholds: [Option<f64>; 3],
+) -> Result<Summary> {
+    let e = evidence.read()?;
+    e.summary(&question(&e, loa, confidence)?, &rule(thresholds)?, &Backend)
 }
 
 /// The columns of `ab_summary` up to the shift.
@@ -93,32 +83,36 @@ pub fn row(s: &Summary) -> Vec<Field> {
 sql_functions! {
     on Account::Evidence;
 
-    /// ab_summary(evidence, loa, confidence, min_confirmed, min_coverage, max_conflict)
-    fn ab_evidence_summary(args) { Ok(summary_arg(args)?.map_or(SqlValue::Null, |s| SqlValue::Row(row(&s)))) }
+    fn ab_evidence_summary(
+        evidence: EvidenceArg, loa: Option<Loa>, confidence: Option<f64>,
+        min_confirmed: Option<f64>, min_coverage: Option<f64>, max_conflict: Option<f64>,
+    ) {
+        let thresholds = [min_confirmed, min_coverage, max_conflict];
+        Ok(SqlValue::Row(row(&summary(&evidence, loa, confidence, thresholds)?)))
+    }
 
-    fn ab_verdict(args) {
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
-        let verdict = e.verdict(&question(args, &e, 1)?, &rule(args, 3)?, &Backend)?;
+    fn ab_verdict(
+        evidence: EvidenceArg, loa: Option<Loa>, confidence: Option<f64>,
+        min_confirmed: Option<f64>, min_coverage: Option<f64>, max_conflict: Option<f64>,
+    ) {
+        let e = evidence.read()?;
+        let question = question(&e, loa, confidence)?;
+        let verdict = e.verdict(&question, &rule([min_confirmed, min_coverage, max_conflict])?, &Backend)?;
         Ok(SqlValue::text(verdict.name()))
     }
 
-    /// ab_explain(evidence, loa, confidence, min_confirmed, min_coverage, max_conflict)
-    fn ab_explain(args) {
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        let e = Evidence::from_bytes(args.bytes(0), &Backend)?;
-        Ok(SqlValue::text(&e.explain(&question(args, &e, 1)?, &rule(args, 3)?, &Backend)?))
+    fn ab_explain(
+        evidence: EvidenceArg, loa: Option<Loa>, confidence: Option<f64>,
+        min_confirmed: Option<f64>, min_coverage: Option<f64>, max_conflict: Option<f64>,
+    ) {
+        let e = evidence.read()?;
+        let question = question(&e, loa, confidence)?;
+        let rule = rule([min_confirmed, min_coverage, max_conflict])?;
+        Ok(SqlValue::text(&e.explain(&question, &rule, &Backend)?))
     }
 
-    /// ab_shift(evidence)
-    fn ab_evidence_shift(args) {
-        if args.is_null(0) {
-            return Ok(SqlValue::Null);
-        }
-        Ok(SqlValue::Row(shift_fields(shift_arg(args)?.as_ref()).to_vec()))
+    fn ab_evidence_shift(evidence: Option<EvidenceArg>) {
+        let Some(evidence) = evidence else { return Ok(SqlValue::Null) };
+        Ok(SqlValue::Row(shift_fields(evidence.read()?.rigid_shift(&Backend)?.as_ref()).to_vec()))
     }
 }

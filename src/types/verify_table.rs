@@ -4,10 +4,10 @@ use asbuilt_core::geometry::Solid;
 use asbuilt_core::verify::{Evidence, EvidenceModel, Samples, Summary, VerdictRule, Verifier};
 use asbuilt_core::{Budget, Error, Result};
 
-use super::evidence_model::{model_arg, parse};
+use super::evidence_model::{ModelArg, model_or_default, parse};
 use super::summary::{row, rule};
 use crate::pg::{
-    Account, Args, Backend, Cell, Column, Field, Query, Rows, SqlValue, WorkerPool, for_each_batch, sql_functions,
+    Account, Args, Backend, Cell, Column, Field, Query, SqlValue, WorkerPool, for_each_batch, sql_functions,
 };
 
 /// Patches that are unpacked at once: about ten megabytes.
@@ -24,16 +24,16 @@ struct Objects {
     solids: Vec<(Solid, EvidenceModel)>,
 }
 
-fn objects(args: &Args, model: &EvidenceModel, crew: &WorkerPool) -> Result<Objects> {
+fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) -> Result<Objects> {
     let query = Query {
         what: "the query of objects",
-        text: &args.text(0),
+        text,
         columns: &[Column::Integer, Column::Varlena("ab_solid"), Column::Varlena("ab_evidence_model")],
         optional: 1,
         expected: "a SELECT of an integer id, an ab_solid and perhaps an ab_evidence_model",
     };
     let (mut out, mut expected) = (Objects::default(), 0);
-    for_each_batch(args, query, 256, |mut rows| {
+    for_each_batch(call, query, 256, |mut rows| {
         out.rows.extend(rows.iter().map(|r| (r[0].clone(), r[1].bytes().is_some())));
         rows.retain(|r| r[1].bytes().is_some());
         let solids = crew.run(|interrupt| {
@@ -51,15 +51,15 @@ fn objects(args: &Args, model: &EvidenceModel, crew: &WorkerPool) -> Result<Obje
     Ok(out)
 }
 
-fn absorb_scans(args: &Args, verifier: &mut Verifier, crew: &WorkerPool) -> Result<()> {
+fn absorb_scans(call: &Args, text: &str, verifier: &mut Verifier, crew: &WorkerPool) -> Result<()> {
     let query = Query {
         what: "the query of scans",
-        text: &args.text(1),
+        text,
         columns: &[Column::Varlena("ab_scan")],
         optional: 0,
         expected: "a SELECT of one column of ab_scan",
     };
-    for_each_batch(args, query, BATCH, |rows| {
+    for_each_batch(call, query, BATCH, |rows| {
         let patches: Vec<&[u8]> = rows.iter().filter_map(|r| r[0].bytes()).collect();
         crew.run(|interrupt| verifier.absorb(&patches, interrupt))
     })
@@ -78,20 +78,20 @@ fn verdict(
 sql_functions! {
     on Account::Evidence;
 
-    /// ab_verify_table(objects, scans, model, keep_evidence, min_confirmed, min_coverage, max_conflict)
-    fn ab_verify_table(args) {
-        let mut out = Rows::new(args)?;
-        for (i, what) in [(0, "the query of objects"), (1, "the query of scans")] {
-            if args.is_null(i) {
-                return Err(Error::argument(what, "one SELECT", "NULL"));
-            }
-        }
-        let (model, rule) = (model_arg(args, 2)?, rule(args, 4)?);
-        let keep = args.is_null(3) || args.bool(3);
+    fn ab_verify_table(
+        call: Call, out: Rows; objects: Option<String>, scans: Option<String>, model: Option<ModelArg>,
+        keep_evidence: Option<bool>, min_confirmed: Option<f64>, min_coverage: Option<f64>, max_conflict: Option<f64>
+    ) {
+        let no_query = |what| Error::argument(what, "one SELECT", "NULL");
+        let objects_query = objects.ok_or_else(|| no_query("the query of objects"))?;
+        let scans_query = scans.ok_or_else(|| no_query("the query of scans"))?;
+        let model = model_or_default(model.as_ref())?;
+        let rule = rule([min_confirmed, min_coverage, max_conflict])?;
+        let keep = keep_evidence.unwrap_or(true);
         let crew = WorkerPool::gather();
-        let objects = objects(args, &model, &crew)?;
+        let objects = self::objects(call, &objects_query, &model, &crew)?;
         let mut verifier = crew.run(|interrupt| Verifier::new(&objects.solids, crew.threads(), interrupt))?;
-        absorb_scans(args, &mut verifier, &crew)?;
+        absorb_scans(call, &scans_query, &mut verifier, &crew)?;
         let mut evidence = verifier.into_evidence();
         for rows in objects.rows.chunks(VERDICTS) {
             let due: Vec<Evidence> = evidence.drain(..rows.iter().filter(|r| r.1).count()).collect();

@@ -2,11 +2,8 @@
 
 use asbuilt_core::Result;
 use asbuilt_core::uncertain::distance::{self, Distance};
-use asbuilt_core::uncertain::{foot, intersect, join};
+use asbuilt_core::uncertain::{Line, Plane, Point, foot, intersect, join};
 
-use super::line::line;
-use super::plane::plane;
-use super::point::point;
 use super::ret;
 use crate::pg::{Field, SqlValue, sql_functions};
 
@@ -15,19 +12,17 @@ fn row(d: &Distance) -> Result<SqlValue> {
 }
 
 sql_functions! {
-    fn ab_midpoint_points(args) { ret(&join::midpoint(&point(args, 0), &point(args, 1))) }
+    fn ab_midpoint_points(a: Point, b: Point) { ret(&join::midpoint(&a, &b)) }
 
-    fn ab_intersection_planes(args) { ret(&intersect::planes(&plane(args, 0), &plane(args, 1))?) }
-    fn ab_intersection_three(args) {
-        ret(&intersect::three_planes([&plane(args, 0), &plane(args, 1), &plane(args, 2)])?)
-    }
-    fn ab_intersection_line_plane(args) { ret(&intersect::line_plane(&line(args, 0), &plane(args, 1))?) }
+    fn ab_intersection_planes(a: Plane, b: Plane) { ret(&intersect::planes(&a, &b)?) }
+    fn ab_intersection_three(a: Plane, b: Plane, c: Plane) { ret(&intersect::three_planes([&a, &b, &c])?) }
+    fn ab_intersection_line_plane(line: Line, plane: Plane) { ret(&intersect::line_plane(&line, &plane)?) }
 
-    fn ab_foot_plane(args) { ret(&foot::on_plane(&point(args, 0), &plane(args, 1))) }
-    fn ab_foot_line(args) { ret(&foot::on_line(&point(args, 0), &line(args, 1))) }
+    fn ab_foot_plane(point: Point, plane: Plane) { ret(&foot::on_plane(&point, &plane)) }
+    fn ab_foot_line(point: Point, line: Line) { ret(&foot::on_line(&point, &line)) }
 
-    fn ab_distance_points(args) { row(&distance::points(&point(args, 0), &point(args, 1))) }
-    fn ab_distance_plane(args) { row(&distance::point_plane(&point(args, 0), &plane(args, 1))) }
-    fn ab_distance_line(args) { row(&distance::point_line(&point(args, 0), &line(args, 1))) }
-    fn ab_distance_lines(args) { row(&distance::lines(&line(args, 0), &line(args, 1))) }
+    fn ab_distance_points(a: Point, b: Point) { row(&distance::points(&a, &b)) }
+    fn ab_distance_plane(point: Point, plane: Plane) { row(&distance::point_plane(&point, &plane)) }
+    fn ab_distance_line(point: Point, line: Line) { row(&distance::point_line(&point, &line)) }
+    fn ab_distance_lines(a: Line, b: Line) { row(&distance::lines(&a, &b)) }
 }

@@ -3,12 +3,7 @@
 use asbuilt_core::uncertain::{Line, Plane, Point, Pose, Stored};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Args, SqlValue, sql_functions};
-
-/// The value in argument `i`.
-pub fn value<T: Stored<N>, const N: usize>(args: &Args, i: usize) -> T {
-    T::from_stored(&args.numbers::<N>(i))
-}
+use crate::pg::{F64Array, Message, Numbers, SqlValue, TextInput, sql_functions};
 
 /// Returns a value after checking that its numbers are in range: whatever is stored can be read again.
 pub fn ret<T: Stored<N> + Copy, const N: usize>(x: &T) -> Result<SqlValue> {
@@ -16,16 +11,16 @@ pub fn ret<T: Stored<N> + Copy, const N: usize>(x: &T) -> Result<SqlValue> {
     Ok(SqlValue::Fixed(x.in_range()?.to_numbers().iter().flat_map(|c| (c + 0.0).to_ne_bytes()).collect()))
 }
 
-fn read<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<SqlValue> {
-    ret(&T::from_text(&args.cstring(0))?)
+fn read<T: Stored<N> + Copy, const N: usize>(text: &TextInput) -> Result<SqlValue> {
+    ret(&T::from_text(&text.text())?)
 }
 
-fn shown<T: Stored<N>, const N: usize>(args: &Args) -> Result<SqlValue> {
-    Ok(SqlValue::CString(value::<T, N>(args, 0).to_text()))
+fn shown<T: Stored<N>, const N: usize>(value: &T) -> Result<SqlValue> {
+    Ok(SqlValue::CString(value.to_text()))
 }
 
-fn received<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<SqlValue> {
-    let bytes = args.message(0);
+fn received<T: Stored<N> + Copy, const N: usize>(message: &Message) -> Result<SqlValue> {
+    let bytes = message.rest();
     let (words, rest) = bytes.as_chunks::<8>();
     match <&[[u8; 8]; N]>::try_from(words) {
         Ok(words) if rest.is_empty() => {
@@ -36,17 +31,17 @@ fn received<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<SqlValue
     }
 }
 
-fn sent<const N: usize>(args: &Args) -> Result<SqlValue> {
-    Ok(SqlValue::Bytes(args.numbers::<N>(0).iter().flat_map(|c| c.to_be_bytes()).collect()))
+fn sent<T, const N: usize>(value: &Numbers<T, N>) -> Result<SqlValue> {
+    Ok(SqlValue::Bytes(value.numbers.iter().flat_map(|c| c.to_be_bytes()).collect()))
 }
 
-fn listed<const N: usize>(args: &Args) -> Result<SqlValue> {
-    Ok(SqlValue::F64Array(args.numbers::<N>(0).to_vec(), vec![N as i32]))
+fn listed<T, const N: usize>(value: &Numbers<T, N>) -> Result<SqlValue> {
+    Ok(SqlValue::F64Array(value.numbers.to_vec(), vec![N as i32]))
 }
 
 /// From the coordinates alone, which are then exact, or from coordinates and covariance.
-fn from_list<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<SqlValue> {
-    let list = args.f64_list(0, "the numbers of the value")?;
+fn from_list<T: Stored<N> + Copy, const N: usize>(array: &F64Array) -> Result<SqlValue> {
+    let list = array.list("the numbers of the value")?;
     let mut numbers = [0.0; N];
     if list.len() != N && list.len() != T::COORDINATES {
         let found = format!("{} numbers for {}, which has {} coordinates", list.len(), T::NAME, T::COORDINATES);
@@ -61,31 +56,31 @@ fn from_list<T: Stored<N> + Copy, const N: usize>(args: &Args) -> Result<SqlValu
 }
 
 sql_functions! {
-    fn ab_point_in(args) { read::<Point, 9>(args) }
-    fn ab_point_out(args) { shown::<Point, 9>(args) }
-    fn ab_point_recv(args) { received::<Point, 9>(args) }
-    fn ab_point_send(args) { sent::<9>(args) }
-    fn ab_point_numbers(args) { listed::<9>(args) }
-    fn ab_point_from_numbers(args) { from_list::<Point, 9>(args) }
+    fn ab_point_in(text: TextInput) { read::<Point, 9>(&text) }
+    fn ab_point_out(point: Point) { shown(&point) }
+    fn ab_point_recv(message: Message) { received::<Point, 9>(&message) }
+    fn ab_point_send(point: Numbers<Point, 9>) { sent(&point) }
+    fn ab_point_numbers(point: Numbers<Point, 9>) { listed(&point) }
+    fn ab_point_from_numbers(numbers: F64Array) { from_list::<Point, 9>(&numbers) }
 
-    fn ab_line_in(args) { read::<Line, 27>(args) }
-    fn ab_line_out(args) { shown::<Line, 27>(args) }
-    fn ab_line_recv(args) { received::<Line, 27>(args) }
-    fn ab_line_send(args) { sent::<27>(args) }
-    fn ab_line_numbers(args) { listed::<27>(args) }
-    fn ab_line_from_numbers(args) { from_list::<Line, 27>(args) }
+    fn ab_line_in(text: TextInput) { read::<Line, 27>(&text) }
+    fn ab_line_out(line: Line) { shown(&line) }
+    fn ab_line_recv(message: Message) { received::<Line, 27>(&message) }
+    fn ab_line_send(line: Numbers<Line, 27>) { sent(&line) }
+    fn ab_line_numbers(line: Numbers<Line, 27>) { listed(&line) }
+    fn ab_line_from_numbers(numbers: F64Array) { from_list::<Line, 27>(&numbers) }
 
-    fn ab_plane_in(args) { read::<Plane, 16>(args) }
-    fn ab_plane_out(args) { shown::<Plane, 16>(args) }
-    fn ab_plane_recv(args) { received::<Plane, 16>(args) }
-    fn ab_plane_send(args) { sent::<16>(args) }
-    fn ab_plane_numbers(args) { listed::<16>(args) }
-    fn ab_plane_from_numbers(args) { from_list::<Plane, 16>(args) }
+    fn ab_plane_in(text: TextInput) { read::<Plane, 16>(&text) }
+    fn ab_plane_out(plane: Plane) { shown(&plane) }
+    fn ab_plane_recv(message: Message) { received::<Plane, 16>(&message) }
+    fn ab_plane_send(plane: Numbers<Plane, 16>) { sent(&plane) }
+    fn ab_plane_numbers(plane: Numbers<Plane, 16>) { listed(&plane) }
+    fn ab_plane_from_numbers(numbers: F64Array) { from_list::<Plane, 16>(&numbers) }
 
-    fn ab_pose_in(args) { read::<Pose, 36>(args) }
-    fn ab_pose_out(args) { shown::<Pose, 36>(args) }
-    fn ab_pose_recv(args) { received::<Pose, 36>(args) }
-    fn ab_pose_send(args) { sent::<36>(args) }
-    fn ab_pose_numbers(args) { listed::<36>(args) }
-    fn ab_pose_from_numbers(args) { from_list::<Pose, 36>(args) }
+    fn ab_pose_in(text: TextInput) { read::<Pose, 36>(&text) }
+    fn ab_pose_out(pose: Pose) { shown(&pose) }
+    fn ab_pose_recv(message: Message) { received::<Pose, 36>(&message) }
+    fn ab_pose_send(pose: Numbers<Pose, 36>) { sent(&pose) }
+    fn ab_pose_numbers(pose: Numbers<Pose, 36>) { listed(&pose) }
+    fn ab_pose_from_numbers(numbers: F64Array) { from_list::<Pose, 36>(&numbers) }
 }

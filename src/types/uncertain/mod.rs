@@ -1,12 +1,12 @@
 //! `ab_point`, `ab_line`, `ab_plane`, `ab_pose`: plain float8 numbers, native byte order on disk, network order on the wire.
 
-mod compare;
-mod construct;
-mod io;
-mod line;
-mod plane;
-mod point;
-mod pose;
-mod relations;
+pub(super) mod compare;
+pub(super) mod construct;
+pub(super) mod io;
+pub(super) mod line;
+pub(super) mod plane;
+pub(super) mod point;
+pub(super) mod pose;
+pub(super) mod relations;
 
-pub use io::{ret, value};
+pub use io::ret;

@@ -1,55 +1,49 @@
 //! `ab_pose`: constructor, accessors, and everything through one.
 
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::uncertain::Pose;
+use asbuilt_core::uncertain::{Line, Plane, Point, Pose};
 use asbuilt_core::{Error, Result};
+use nalgebra::SMatrix;
 
-use super::line::line;
-use super::plane::plane;
-use super::point::point;
-use super::{ret, value};
-use crate::pg::{Args, Backend, SqlValue, sql_functions};
+use super::ret;
+use crate::pg::{Backend, F64Array, SqlValue, sql_functions};
+use crate::types::SolidArg;
 
-fn pose(args: &Args, i: usize) -> Pose {
-    value(args, i)
-}
-
-fn made(args: &Args) -> Result<Pose> {
-    let translation = args.vector::<3>(0, "the translation")?.into();
-    let rotation = args.vector::<4>(1, "the rotation")?;
-    let sd = [3, 4, 5].map(|i| args.f64(i));
-    let covariance = if args.is_null(6) {
-        Pose::diagonal(sd[0], sd[1], sd[2])?
-    } else if sd == [0.0; 3] {
-        args.square::<7>(6, "the covariance of the pose")?
-    } else {
-        return Err(Error::argument("the standard deviations", "left out where a covariance is given", "given"));
-    };
-    Pose::new(rotation, translation, args.f64(2), &covariance)
+/// The covariance of a pose: as given, or of these standard deviations of rotation, translation and scale.
+fn covariance(given: Option<F64Array>, sd: [f64; 3]) -> Result<SMatrix<f64, 7, 7>> {
+    match given {
+        None => Pose::diagonal(sd[0], sd[1], sd[2]),
+        Some(given) if sd == [0.0; 3] => given.square::<7>("the covariance of the pose"),
+        Some(_) => Err(Error::argument("the standard deviations", "left out where a covariance is given", "given")),
+    }
 }
 
 sql_functions! {
-    /// ab_pose(translation, rotation, scale, sd_rotation, sd_translation, sd_scale, covariance)
-    fn ab_pose_make(args) {
-        if (0..6).any(|i| args.is_null(i)) { Ok(SqlValue::Null) } else { ret(&made(args)?) }
+    fn ab_pose_make(
+        translation: F64Array, rotation: F64Array, scale: f64, sd_rotation: f64, sd_translation: f64, sd_scale: f64,
+        covariance: Option<F64Array>,
+    ) {
+        let (translation, rotation) = (translation.vector::<3>("the translation")?, rotation.vector("the rotation")?);
+        let covariance = self::covariance(covariance, [sd_rotation, sd_translation, sd_scale])?;
+        ret(&Pose::new(rotation, translation.into(), scale, &covariance)?)
     }
 
-    fn ab_pose_translation(args) { Ok(SqlValue::vector(pose(args, 0).translation)) }
-    fn ab_pose_scale(args) { Ok(SqlValue::F64(pose(args, 0).scale)) }
-    fn ab_pose_covariance(args) { Ok(SqlValue::matrix(&pose(args, 0).covariance)) }
-    fn ab_pose_rotation(args) {
-        let q = pose(args, 0).rotation;
+    fn ab_pose_translation(pose: Pose) { Ok(SqlValue::vector(pose.translation)) }
+    fn ab_pose_scale(pose: Pose) { Ok(SqlValue::F64(pose.scale)) }
+    fn ab_pose_covariance(pose: Pose) { Ok(SqlValue::matrix(&pose.covariance)) }
+    fn ab_pose_rotation(pose: Pose) {
+        let q = pose.rotation;
         Ok(SqlValue::F64Array(vec![q.w, q.i, q.j, q.k], vec![4]))
     }
 
-    fn ab_transform_point(args) { ret(&pose(args, 1).point(&point(args, 0))?) }
-    fn ab_transform_line(args) { ret(&pose(args, 1).line(&line(args, 0))?) }
-    fn ab_transform_plane(args) { ret(&pose(args, 1).plane(&plane(args, 0))?) }
-    fn ab_transform_pose(args) { ret(&pose(args, 1).after(&pose(args, 0))?) }
-    fn ab_pose_inverse(args) { ret(&pose(args, 0).inverse()?) }
+    fn ab_transform_point(point: Point, pose: Pose) { ret(&pose.point(&point)?) }
+    fn ab_transform_line(line: Line, pose: Pose) { ret(&pose.line(&line)?) }
+    fn ab_transform_plane(plane: Plane, pose: Pose) { ret(&pose.plane(&plane)?) }
+    fn ab_transform_pose(first: Pose, pose: Pose) { ret(&pose.after(&first)?) }
+    fn ab_pose_inverse(pose: Pose) { ret(&pose.inverse()?) }
 
-    fn ab_transform_solid(args) {
-        let (solid, pose) = (Solid::from_stored(args.bytes(0), &Backend)?, pose(args, 1));
+    fn ab_transform_solid(solid: SolidArg, pose: Pose) {
+        let solid = solid.read()?;
         let vertices = solid.vertices().iter().map(|v| pose.apply(v)).collect();
         let moved = Solid::interruptible(vertices, solid.triangles().to_vec(), &Backend)?;
         Ok(SqlValue::Bytes(moved.to_bytes(&Backend)?))

@@ -1,0 +1,21 @@
+//! `_ab_declared()`: what every C function expects its SQL declaration to say; a test compares it with the catalogue.
+
+use crate::pg::{Declared, Field, SqlValue, sql_functions};
+use crate::{aggregates, compat, gist, planner, types};
+
+/// All of them.
+fn all() -> impl Iterator<Item = Declared> {
+    let rooms = [types::DECLARED, aggregates::DECLARED, compat::ALL_DECLARED];
+    let files = rooms.into_iter().flatten().copied().chain([gist::DECLARED, planner::DECLARED, DECLARED]);
+    files.flatten().copied()
+}
+
+sql_functions! {
+    /// A row of C symbol and parameters for each.
+    fn ab_declared(rows: Rows;) {
+        for function in all() {
+            rows.push(&[Field::Text(function.symbol.into()), Field::or_null(function.to_text(), Field::Text)]);
+        }
+        Ok(SqlValue::Null)
+    }
+}
