@@ -1,25 +1,50 @@
 #!/usr/bin/env bash
-# Writes docs/api.md from the COMMENTs of the installed extension; with --check only says whether it is up to date.
+# Writes docs/api.md from the COMMENTs of the installed extension and from docs/examples, every one of which it runs.
+# With --check it only says whether docs/api.md is what would be written.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+export LC_ALL=C
+work=$(mktemp -d "${TMPDIR:-/tmp}/asbuilt-docs-XXXXXX")
+own=
+trap '[ -z "$own" ] || scripts/cluster.sh drop "$work/cluster"; rm -rf "$work"' EXIT
 if [ -z "${PGHOST:-}" ]; then
-  cluster=$(mktemp -d "${TMPDIR:-/tmp}/asbuilt-docs-XXXXXX")
-  trap 'scripts/cluster.sh drop "$cluster"' EXIT
-  rmdir "$cluster"
   scripts/install.sh >/dev/null
-  eval "$(scripts/cluster.sh start "$cluster")"
+  chmod 711 "$work"
+  own=yes
+  eval "$(scripts/cluster.sh start "$work/cluster")"
 fi
-database=asbuilt_docs
-dropdb --if-exists $database 2>/dev/null
-createdb $database
-made=$(psql -XAtq -d $database -c "CREATE EXTENSION asbuilt" -f scripts/api_docs.sql)
-dropdb $database
+export PGDATABASE=asbuilt_docs PGCLIENTENCODING=UTF8 PGTZ=UTC PGDATESTYLE=ISO
+# Six digits of a float8: the same on every machine, and short.
+export PGOPTIONS="-c extra_float_digits=-9 -c lc_messages=C"
+dropdb --if-exists asbuilt_docs 2>/dev/null
+createdb -T template0 -E UTF8 --locale=C asbuilt_docs
+psql -Xq -v ON_ERROR_STOP=1 -c "CREATE EXTENSION asbuilt"
+
+# Every file in a session of its own. Heads become marks in the output, line by line, so that errors name the line.
+for file in docs/examples/*.sql; do
+  topic=$(basename "$file" .sql)
+  sed -E 's/^-- (ab_[a-z0-9_]+(\([^)]*\))?( and ab_[a-z0-9_]+(\([^)]*\))?)*)$/\\qecho @@ \1/' "$file" |
+    psql -Xq -v ON_ERROR_STOP=1 -P pager=off -P border=1 -P linestyle=ascii -P footer=off -P null=NULL -f - \
+      >"$work/$topic.out" 2>"$work/errors" && [ ! -s "$work/errors" ] || {
+    sed "s|^psql:<stdin>|$file|" "$work/errors" >&2
+    echo "docs: an example of $file failed" >&2
+    exit 1
+  }
+  printf '\\set source `cat %s`\n\\set result `cat %s`\n' "'$file'" "'$work/$topic.out'"
+  echo "INSERT INTO file VALUES ('$topic', :'source', :'result');"
+done >"$work/files.sql"
+{
+  echo "CREATE TEMP TABLE file (topic text, source text, result text);"
+  cat "$work/files.sql" scripts/api_docs.sql
+} | psql -XAtq -v ON_ERROR_STOP=1 -P pager=off -f - >"$work/api.md"
+dropdb asbuilt_docs
+
 if [ "${1:-}" = --check ]; then
-  diff <(echo "$made") docs/api.md || {
+  diff docs/api.md "$work/api.md" || {
     echo "docs/api.md is out of date: make docs" >&2
     exit 1
   }
 else
-  echo "$made" >docs/api.md
+  cat "$work/api.md" >docs/api.md
   echo "docs: docs/api.md written"
 fi
