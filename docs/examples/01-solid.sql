@@ -39,4 +39,5 @@ FROM   ab_triangles(ab_solid(ARRAY[[0, 0, 0], [4, 0, 0], [0, 0, 2.5]], ARRAY[[0,
 
 -- ab_transform(ab_solid, ab_pose)
 -- Half a turn about the vertical axis, then 10 m along x.
-SELECT ab_box(ab_transform(ab_solid(ab_box(1, 0, 0, 5, 2, 2.5)), ab_pose(ARRAY[10, 0, 0], ARRAY[0, 0, 0, 1]))) AS turned;
+SELECT ab_box(ab_transform(ab_solid(ab_box(1, 0, 0, 5, 2, 2.5)), pose)) AS turned
+FROM   ab_pose(ARRAY[10, 0, 0], ARRAY[0, 0, 0, 1]) pose;

@@ -51,7 +51,7 @@ SELECT c.axis[1] AS along_x, degrees(c.half_angle) AS degrees FROM scan, ab_cone
 SELECT r.* FROM scan, ab_range(patch) r;
 
 -- ab_beams
-SELECT b.origin, b.point, b.range FROM scan, ab_beams(patch) b ORDER BY b.range LIMIT 3;
+SELECT b.origin, b.point, b.range FROM scan, ab_beams(patch) b ORDER BY b.point LIMIT 3;
 
 -- ab_sees
 SELECT ab_sees(patch, ab_box(2, -0.1, 1.5, 2.2, 0.1, 1.7)) AS before_the_wall,
@@ -59,7 +59,8 @@ SELECT ab_sees(patch, ab_box(2, -0.1, 1.5, 2.2, 0.1, 1.7)) AS before_the_wall,
 FROM   scan;
 
 -- ab_filter
-SELECT ab_count(ab_filter(patch, ab_box(4, -2, 0, 6, 2, 1.22))) AS low, ab_count(ab_filter(patch, 5, 5.1)) AS near FROM scan;
+SELECT ab_count(ab_filter(patch, ab_box(4, -2, 0, 6, 2, 1.22))) AS low, ab_count(ab_filter(patch, 5, 5.12)) AS near
+FROM   scan;
 
 -- ab_thin
 SELECT ab_count(patch) AS beams, ab_count(ab_thin(patch, 0.25)) AS one_every_25_cm FROM scan;

@@ -36,7 +36,8 @@ SELECT ab_numbers(ab_point(1, 2, 0.5, sd => 0.5)) AS point, array_length(ab_numb
 FROM   part;
 
 -- ab_point_of
-SELECT ab_point_of(ARRAY[1, 2, 0.5]) AS exact, ab_point_of(ab_numbers(ab_point(1, 2, 0.5, sd => 0.5))) AS from_all_numbers;
+SELECT ab_point_of(ARRAY[1, 2, 0.5]) AS exact,
+       ab_point_of(ab_numbers(ab_point(1, 2, 0.5, sd => 0.5))) AS from_all_numbers;
 
 -- ab_line_of
 SELECT ab_line_of(ARRAY[0, 0, 0, 4, 0, 0]) AS line;
@@ -132,7 +133,8 @@ SELECT ab_position(ab_foot(p, floor)) AS on_the_floor, ab_position(ab_foot(p, ed
 FROM   part, ab_point(1, 1, 2.5) p;
 
 -- ab_distance
-SELECT between.distance, between.sd, d.distance AS above_the_floor, d.sd AS its_sd, ab_distance(axis, edge) AS of_two_lines
+SELECT between.distance, between.sd, d.distance AS above_the_floor, d.sd AS its_sd,
+       ab_distance(axis, edge) AS of_two_lines
 FROM   part, ab_distance(ab_point(0, 0, 0, 0.002), ab_point(3, 4, 0, 0.002)) between,
        ab_distance(ab_point(1, 1, 2.5, 0.002), floor) d;
 

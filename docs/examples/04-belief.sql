@@ -29,7 +29,8 @@ SELECT ab_discord(ab_mass(0.6, 0.1)) AS bits;
 
 -- ab_combine
 SELECT rule, ab_belief(m) AS occupied, ab_belief(m, 'empty') AS empty
-FROM   unnest(ARRAY['dempster', 'yager', 'pcr6', 'cautious']) rule, ab_combine(ab_mass(0.6, 0.1), ab_mass(0.2, 0.5), rule) m;
+FROM   unnest(ARRAY['dempster', 'yager', 'pcr6', 'cautious']) rule,
+       ab_combine(ab_mass(0.6, 0.1), ab_mass(0.2, 0.5), rule) m;
 SELECT ab_belief(ab_combine(ab_mass(0.6, 0.1), ab_mass(0.5, 0.2))) AS by_dempster;
 
 -- ab_conflict
@@ -62,7 +63,8 @@ FROM   unnest(ARRAY[4.98, 5, 5.02]) x, ab_image_mass(ARRAY[0, 0, 1.6], ARRAY[5, 
 -- ab_tie_point_mass
 -- May the surface lie 20 mm before the point? That depends on the point's own standard deviation.
 SELECT sd, round(ab_belief(m)::numeric, 4) AS occupied, round(ab_belief(m, 'empty')::numeric, 4) AS empty
-FROM   unnest(ARRAY[0, 0.005, 0.02]) sd, ab_tie_point_mass(ARRAY[0, 0, 1.6], ab_point(5, 0, 1.6, sd), ARRAY[4.98, 0, 1.6]) m;
+FROM   unnest(ARRAY[0, 0.005, 0.02]) sd,
+       ab_tie_point_mass(ARRAY[0, 0, 1.6], ab_point(5, 0, 1.6, sd), ARRAY[4.98, 0, 1.6]) m;
 
 -- ab_dense_mass
 SELECT z, round(ab_belief(m)::numeric, 4) AS occupied, ab_belief(m, 'empty') AS empty

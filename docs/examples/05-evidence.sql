@@ -34,9 +34,9 @@ SELECT ab_verdict(ab_evidence_agg(solid, ab_point(5, a * 0.05, 1 + b * 0.05, 0.0
 FROM   building_object, generate_series(-39, 39) a, generate_series(-19, 19) b WHERE id = 1;
 
 -- ab_summary(ab_evidence, ab_loa, float8, float8, float8, float8)
-SELECT name, s.verdict, s.best_loa, round(s.coverage::numeric, 2) AS coverage, round(s.confirmed::numeric, 2) AS confirmed,
-       round(s.refuted::numeric, 2) AS refuted, round(s.deviation::numeric, 4) AS deviation,
-       round(s.shift[1]::numeric, 4) AS along_x
+SELECT name, s.verdict, s.best_loa, round(s.coverage::numeric, 2) AS coverage,
+       round(s.confirmed::numeric, 2) AS confirmed, round(s.refuted::numeric, 2) AS refuted,
+       round(s.deviation::numeric, 4) AS deviation, round(s.shift[1]::numeric, 4) AS along_x
 FROM   evidence, ab_summary(evidence) s ORDER BY id;
 
 -- ab_verdict
@@ -51,7 +51,8 @@ SELECT round(s.shift[1]::numeric, 4) AS along_x, s.shift[2] AS along_y, round(s.
 FROM   evidence, ab_shift(evidence) s WHERE id = 1;
 
 -- ab_samples
-SELECT s.position, round(ab_belief(s.mass)::numeric, 2) AS built_here, round(s.deviation::numeric, 4) AS deviation, s.beams
+SELECT s.position, round(ab_belief(s.mass)::numeric, 2) AS built_here,
+       round(s.deviation::numeric, 4) AS deviation, s.beams
 FROM   evidence, ab_samples(evidence) s WHERE id = 1 AND s.beams > 0 ORDER BY s.position LIMIT 3;
 
 -- ab_faces

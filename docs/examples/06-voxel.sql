@@ -1,7 +1,8 @@
 -- Voxels and change
 -- Space as occupied, empty and unknown, and what became of it between two epochs or against a model.
 CREATE TEMP TABLE scan AS         -- a wall 3 m away; in epoch 2 a crate stands before it
-SELECT epoch, ab_scan(ARRAY[0, 0, 0], array_agg(ARRAY[x, x * a * 0.02, x * b * 0.02] ORDER BY a, b), 0.02, epoch) AS patch
+SELECT epoch, ab_scan(ARRAY[0, 0, 0], array_agg(ARRAY[x, x * a * 0.02, x * b * 0.02] ORDER BY a, b),
+                      0.02, epoch) AS patch
 FROM   generate_series(1, 2) epoch, generate_series(-20, 20) a, generate_series(-20, 20) b,
        LATERAL (SELECT CASE WHEN epoch = 2 AND abs(a) <= 6 AND b <= -8 THEN 2.03 ELSE 3.03 END AS x) d GROUP BY epoch;
 CREATE TEMP TABLE occupancy AS
@@ -13,7 +14,8 @@ FROM   occupancy old, occupancy new WHERE old.epoch = 1 AND new.epoch = 2;
 -- ab_grid
 SELECT what, grid
 FROM   change, occupancy, LATERAL (VALUES ('made', ab_grid(0.05, ab_box(0, -1, -1, 4, 1, 1))),
-                                          ('of an occupancy', ab_grid(occupancy)), ('of a change', ab_grid(change))) v(what, grid)
+                                          ('of an occupancy', ab_grid(occupancy)),
+                                          ('of a change', ab_grid(change))) v(what, grid)
 WHERE  epoch = 1;
 
 -- ab_tiles
@@ -75,7 +77,8 @@ WHERE  a.epoch = 1 AND b.epoch = 2;
 SELECT s.occupied, s.empty
 FROM  (SELECT ab_rollup_agg(occupancy) AS both_epochs FROM occupancy) o, ab_summary(both_epochs, threshold => 1) s;
 SELECT s.new
-FROM  (SELECT ab_rollup_agg(ab_clip(change, tile)) AS tiles FROM change, ab_tiles(ab_box(0, -2, -2, 4, 2, 2), 1) tile) c,
+FROM  (SELECT ab_rollup_agg(ab_clip(change, tile)) AS tiles
+       FROM   change, ab_tiles(ab_box(0, -2, -2, 4, 2, 2), 1) tile) c,
        ab_summary(tiles) s;
 
 -- ab_union(ab_occupancy, ab_occupancy)
