@@ -55,7 +55,7 @@ lint:
 	cargo clippy --workspace --exclude asbuilt --all-targets -- -D warnings
 	cargo clippy -p asbuilt --no-default-features --features pg$(PG_VERSION) -- -D warnings
 
-# docs/api.md from the COMMENTs of an installed extension.
+# docs/api.md from the COMMENTs of an installed extension and from docs/examples.
 docs: setup
 	scripts/api_docs.sh
 

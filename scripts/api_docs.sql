@@ -10,7 +10,7 @@ SELECT topic, n, part FROM file, regexp_split_to_table(source,
        '^-- (?=ab_[a-z0-9_]+(?:\([^)]*\))?(?: and ab_[a-z0-9_]+(?:\([^)]*\))?)*$)', 'n') WITH ORDINALITY u(part, n);
 CREATE TEMP TABLE topic AS
 SELECT topic, (regexp_match(part, '^-- ([^\n]*)'))[1] AS title,
-       replace((regexp_match(part, '^--[^\n]*\n((?:--[^\n]*\n)*)'))[1], '-- ', '') AS says,
+       rtrim(replace((regexp_match(part, '^--[^\n]*\n((?:--[^\n]*\n)*)'))[1], '-- ', ''), E'\n') AS says,
        btrim(regexp_replace(part, '^(--[^\n]*\n)*', ''), E'\n') AS shared
 FROM   part WHERE n = 1;
 CREATE TEMP TABLE example AS
@@ -92,10 +92,10 @@ FROM  (SELECT DISTINCT topic, n, row, row_name FROM shown) s
 WHERE  row <> 0 GROUP BY topic, n, row_name;
 SELECT text FROM (
     SELECT topic, 1 AS n, format(E'\n## %s\n\n%s', title, says) || CASE WHEN shared = '' THEN '' ELSE
-           format(E'\nThe examples of this topic use:\n\n```sql\n%s\n```\n', shared) END AS text
+           format(E'\n\nThe examples of this topic use:\n\n```sql\n%s\n```', shared) END AS text
     FROM   topic
     UNION ALL
-    SELECT topic, n, format(E'### %s\n\n%s\n%s\n```sql\n%s\n```\n\n```text\n%s\n```\n', e.head,
+    SELECT topic, n, format(E'\n### %s\n\n%s\n%s\n```sql\n%s\n```\n\n```text\n%s\n```', e.head,
            (SELECT string_agg(format('- `%s` → `%s`%s: %s', signature, s.result,
                                      CASE WHEN is_aggregate THEN ', aggregate' ELSE '' END, what),
                               E'\n' ORDER BY is_aggregate, signature)
@@ -106,7 +106,7 @@ SELECT text FROM (
     FROM   example e) x
 ORDER  BY topic, n;
 
-SELECT E'## Operators\n\n| operator | what |\n| --- | --- |';
+SELECT E'\n## Operators\n\n| operator | what |\n| --- | --- |';
 SELECT format('| `%s %s %s` | %s |', l, o.oprname, r, obj_description(o.oid, 'pg_operator'))
 FROM   member m JOIN pg_operator o ON m.classid = 'pg_operator'::regclass AND m.objid = o.oid,
        format_type(o.oprleft, NULL) l, format_type(o.oprright, NULL) r
