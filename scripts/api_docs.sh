@@ -15,7 +15,7 @@ if [ -z "${PGHOST:-}" ]; then
 fi
 export PGDATABASE=asbuilt_docs PGCLIENTENCODING=UTF8 PGTZ=UTC PGDATESTYLE=ISO
 # Six digits of a float8: the same on every machine, and short.
-export PGOPTIONS="-c extra_float_digits=-9 -c lc_messages=C"
+export PGOPTIONS="-c extra_float_digits=-9"
 dropdb --if-exists asbuilt_docs 2>/dev/null
 createdb -T template0 -E UTF8 --locale=C asbuilt_docs
 psql -Xq -v ON_ERROR_STOP=1 -c "CREATE EXTENSION asbuilt"
@@ -30,6 +30,7 @@ for file in docs/examples/*.sql; do
     echo "docs: an example of $file failed" >&2
     exit 1
   }
+  # shellcheck disable=SC2016  # psql's backquotes
   printf '\\set source `cat %s`\n\\set result `cat %s`\n' "'$file'" "'$work/$topic.out'"
   echo "INSERT INTO file VALUES ('$topic', :'source', :'result');"
 done >"$work/files.sql"
