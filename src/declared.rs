@@ -11,10 +11,9 @@ fn all() -> impl Iterator<Item = Declared> {
 }
 
 sql_functions! {
-    /// A row of C symbol and parameters for each.
     fn ab_declared(rows: Rows;) {
         for function in all() {
-            rows.push(&[Field::Text(function.symbol.into()), Field::or_null(function.to_text(), Field::Text)]);
+            rows.push(&[Field::Text(function.to_text())]);
         }
         Ok(SqlValue::Null)
     }

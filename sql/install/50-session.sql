@@ -11,7 +11,7 @@ COMMENT ON FUNCTION ab_memory(boolean) IS
     'Bytes that asbuilt''s values and work take in this session''s process now, and the most they ever took; '
     'from_now begins the peak anew. What PostgreSQL itself holds of them (rows, results) is not counted';
 
-CREATE FUNCTION _ab_declared(OUT symbol text, OUT parameters text) RETURNS SETOF record
+CREATE FUNCTION _ab_declared() RETURNS SETOF text
     AS 'MODULE_PATHNAME', 'ab_declared' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
 COMMENT ON FUNCTION _ab_declared() IS
-    'The parameters that each C function of asbuilt expects to be declared with: types, with ? where NULL is a value';
+    'The C functions of asbuilt, each with the parameter types that it reads; ? where NULL is a value';

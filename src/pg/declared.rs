@@ -18,20 +18,20 @@ impl Parameter {
     }
 }
 
-/// One function: its C symbol, and its parameters unless it fetches its arguments itself.
+/// One function: its C symbol and its parameters.
 #[derive(Debug, Clone, Copy)]
 pub struct Declared {
     /// The symbol, `pg_proc.prosrc`.
     pub symbol: &'static str,
     /// In order.
-    pub parameters: Option<&'static [Parameter]>,
+    pub parameters: &'static [Parameter],
 }
 
 impl Declared {
-    /// `ab_box float8 text?`; a question mark where NULL is a value.
-    pub fn to_text(self) -> Option<String> {
-        let word = |p: &Parameter| format!("{}{}", p.sql_type, if p.nullable { "?" } else { "" });
-        Some(self.parameters?.iter().map(word).collect::<Vec<_>>().join(" "))
+    /// `ab_box_expand ab_box float8`: the symbol, then the types, with a question mark where NULL is a value.
+    pub fn to_text(self) -> String {
+        let word = |p: &Parameter| format!(" {}{}", p.sql_type, if p.nullable { "?" } else { "" });
+        self.symbol.to_owned() + &self.parameters.iter().map(word).collect::<String>()
     }
 }
 

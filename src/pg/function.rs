@@ -51,10 +51,10 @@ pub fn raise(error: &Error, name: &'static str) -> ! {
 ///
 /// * `fn name(box: Aabb, margin: Option<f64>) { body }`: with typed parameters ([`super::FromArg`]);
 /// * `fn name(rows: Rows; box: Aabb) { body }`: the same, returning a set of rows;
-/// * `fn name(call: Call; …)` and `fn name(call: Call, rows: Rows; …)`: the same, with the call itself;
-/// * `fn name(args) { body }`: fetching its arguments itself.
+/// * `fn name(call: Call; …)` and `fn name(call: Call, rows: Rows; …)`: the same, with the call itself.
 ///
-/// Functions after `on Account::…;` take their memory on that account. Their declarations are the module's `DECLARED`.
+/// Functions after `on Account::…;` take their memory on that account. The module's `DECLARED` tells what SQL is to
+/// declare.
 macro_rules! sql_functions {
     (on $account:expr; $($rest:tt)*) => { $crate::pg::sql_functions! { @ Some($account); $($rest)* } };
     (fn $($rest:tt)*) => { $crate::pg::sql_functions! { @ None; fn $($rest)* } };
@@ -91,21 +91,15 @@ pub(crate) use sql_functions;
 
 /// The declared parameters of a parameter list.
 macro_rules! parameters {
-    (($args:ident)) => { None };
     (($call:ident: Call, $rows:ident: Rows; $($rest:tt)*)) => { $crate::pg::parameters!(($($rest)*)) };
     (($call:ident: Call; $($rest:tt)*)) => { $crate::pg::parameters!(($($rest)*)) };
     (($rows:ident: Rows; $($rest:tt)*)) => { $crate::pg::parameters!(($($rest)*)) };
-    (($($name:ident: $type:ty),* $(,)?)) => { Some(&[$($crate::pg::Parameter::of::<$type>()),*]) };
+    (($($name:ident: $type:ty),* $(,)?)) => { &[$($crate::pg::Parameter::of::<$type>()),*] };
 }
 pub(crate) use parameters;
 
 /// A body with its parameters bound; NULL where an argument is NULL that must not be.
 macro_rules! bound {
-    ($call:ident, ($args:ident), $body:block) => {{
-        #[allow(unused_variables)]
-        let $args = $call;
-        $body
-    }};
     ($call:ident, ($own:ident: Call, $rows:ident: Rows; $($rest:tt)*), $body:block) => {{
         let $own = $call;
         $crate::pg::bound!($call, ($rows: Rows; $($rest)*), $body)

@@ -19,9 +19,9 @@ AND  (p.oid IN (SELECT oprcode FROM pg_operator) OR p.oid IN (SELECT oprrest FRO
    OR p.oid IN (SELECT unnest(ARRAY[aggtransfn, aggfinalfn, aggcombinefn, aggserialfn, aggdeserialfn]) FROM pg_aggregate)
    OR p.prokind = 'f' AND 'internal'::regtype = ANY (p.proargtypes))
 ORDER BY 1::text;
--- ... and nothing else does, but what is kept of 0.1.0
+-- ... and nothing else does, but what is kept of 0.1.0, and what 22_declarations asks
 SELECT p.oid::regprocedure AS called_by_nobody FROM ours p
-WHERE p.proname ~ '^_ab_' AND p.proname !~ '_010$'
+WHERE p.proname ~ '^_ab_' AND p.proname !~ '_010$' AND p.proname <> '_ab_declared'
 AND NOT EXISTS (SELECT FROM pg_depend d WHERE d.refclassid = 'pg_proc'::regclass AND d.refobjid = p.oid AND d.deptype IN ('n', 'i', 'a'));
 SELECT p.oid::regprocedure AS looks_like_an_array_type FROM ours p JOIN pg_type t ON t.typname = p.proname AND t.typcategory = 'A';
 -- free for what comes

@@ -1,48 +1,52 @@
 -- Every C function is declared in SQL as its body reads its arguments (sql_functions! in src).
+CREATE TEMP VIEW reads AS
+SELECT word[1] AS symbol, word[2:] AS parameters
+FROM (SELECT string_to_array(line, ' ') AS word FROM _ab_declared() line) AS function;
+CREATE TEMP VIEW c_function AS
+SELECT p.oid::regprocedure AS function, p.proisstrict, p.proargtypes::oid[] AS types, p.pronargs, r.*
+FROM pg_depend d JOIN pg_extension x ON d.refobjid = x.oid AND x.extname = 'asbuilt' AND d.deptype = 'e'
+JOIN pg_proc p ON d.classid = 'pg_proc'::regclass AND d.objid = p.oid
+JOIN pg_language l ON l.oid = p.prolang AND l.lanname = 'c' LEFT JOIN reads r ON r.symbol = p.prosrc;
+SELECT count(*) > 500 AS functions, count(DISTINCT symbol) > 390 AS symbols, sum(pronargs) > 1000 AS parameters,
+       count(*) FILTER (WHERE symbol IS NULL) AS not_told FROM c_function;
+SELECT symbol AS told_twice FROM reads GROUP BY symbol HAVING count(*) > 1;
 
-CREATE VIEW declared AS
-SELECT symbol, parameters, regexp_split_to_array(nullif(parameters, ''), ' ') AS list FROM _ab_declared();
+-- Types; where one symbol serves several they stand side by side.
+CREATE TEMP VIEW other_type AS
+SELECT function, n, declared, parameters[n] AS reads
+FROM c_function, unnest(types) WITH ORDINALITY AS given(type, n)
+JOIN pg_type t ON t.oid = type LEFT JOIN pg_type e ON e.oid = t.typelem AND t.typcategory = 'A',
+coalesce(e.typname || '[]', t.typname) AS declared
+WHERE declared <> ALL (string_to_array(coalesce(rtrim(parameters[n], '?'), ''), '|'));
+-- What the declaration leaves out at the end may be NULL.
+CREATE TEMP VIEW too_few AS
+SELECT function, parameters FROM c_function
+WHERE EXISTS (SELECT FROM unnest(parameters[pronargs + 1:]) AS rest WHERE rest NOT LIKE '%?');
+-- STRICT if no parameter may be NULL, and only then; without parameters it means nothing.
+CREATE TEMP VIEW other_null AS
+SELECT function, proisstrict, parameters FROM c_function
+WHERE pronargs > 0 AND proisstrict = ('?' = ANY (SELECT right(p, 1) FROM unnest(parameters) p));
+SELECT * FROM other_type ORDER BY 1::text, 2;
+SELECT * FROM too_few ORDER BY 1::text;
+SELECT * FROM other_null ORDER BY 1::text;
 
--- An argument of each C function, and what the body takes it for; a type may be one of several.
-CREATE VIEW argument AS
-SELECT f.oid, f.oid::regprocedure::text AS function, f.prosrc AS symbol, a.i,
-       coalesce(e.typname || '[]', t.typname) AS type, rtrim(d.list[a.i], '?') AS expected
-FROM (SELECT p.* FROM pg_proc p JOIN pg_language l ON l.oid = p.prolang
-      JOIN pg_depend x ON x.classid = 'pg_proc'::regclass AND x.objid = p.oid AND x.deptype = 'e'
-      JOIN pg_extension ext ON ext.oid = x.refobjid AND ext.extname = 'asbuilt' WHERE l.lanname = 'c') f
-JOIN declared d ON d.symbol = f.prosrc AND d.parameters IS NOT NULL
-CROSS JOIN LATERAL unnest(f.proargtypes::oid[]) WITH ORDINALITY a(oid, i)
-JOIN pg_type t ON t.oid = a.oid
-LEFT JOIN pg_type e ON e.oid = t.typelem AND t.typcategory = 'A';
+-- Several types: what is compared as bytes, tiles, which begin alike, and GiST, where the strategy number tells which.
+SELECT regexp_replace(array_to_string(parameters, ', '), 'ab_solid\|ab_scan\|ab_evidence\|\S+', 'any bytes', 'g')
+       AS several, string_agg(symbol, ' ' ORDER BY symbol COLLATE "C") AS symbols
+FROM reads WHERE array_to_string(parameters, ' ') LIKE '%|%' GROUP BY 1 ORDER BY min(symbol) COLLATE "C";
 
-CREATE VIEW c_function AS
-SELECT p.oid::regprocedure::text AS function, p.prosrc AS symbol, p.proisstrict AS strict, p.pronargs AS count, d.*
-FROM pg_proc p JOIN pg_language l ON l.oid = p.prolang AND l.lanname = 'c'
-JOIN pg_depend x ON x.classid = 'pg_proc'::regclass AND x.objid = p.oid AND x.deptype = 'e'
-JOIN pg_extension ext ON ext.oid = x.refobjid AND ext.extname = 'asbuilt'
-LEFT JOIN declared d(declared_symbol, parameters, list) ON d.declared_symbol = p.prosrc;
-
--- Symbols without a declaration, and functions that fetch their arguments themselves: this number may only fall.
-SELECT count(*) FILTER (WHERE declared_symbol IS NULL) AS undeclared,
-       count(*) FILTER (WHERE declared_symbol IS NOT NULL AND parameters IS NULL) AS untyped,
-       count(parameters) > 500 AS typed, count(DISTINCT declared_symbol) > 390 AS symbols
-FROM c_function;
-SELECT symbol FROM declared GROUP BY symbol HAVING count(*) > 1;
-
--- Types.
-SELECT function, i, type, expected FROM argument
-WHERE type <> ALL (string_to_array(coalesce(expected, ''), '|')) ORDER BY 1, 2;
-
--- Arguments at the end may be missing where NULL is a value.
-SELECT function, parameters FROM c_function WHERE count > coalesce(cardinality(list), 0)
-   OR EXISTS (SELECT FROM unnest(list[count + 1:]) AS rest WHERE rest NOT LIKE '%?') ORDER BY 1;
-
--- STRICT where NULL is no value of any parameter, and only there.
-SELECT function, strict, parameters FROM c_function
-WHERE parameters IS NOT NULL AND strict <> (parameters NOT LIKE '%?%') AND count > 0 ORDER BY 1;
-
--- One symbol for several types: where the stored forms are compared as bytes or begin alike, and in GiST, where the
--- strategy number tells the type.
-SELECT symbol, parameters FROM declared WHERE parameters LIKE '%|%' ORDER BY symbol COLLATE "C";
-
-DROP VIEW c_function, argument, declared;
+-- The test itself: declarations that differ are found.
+BEGIN;
+CREATE FUNCTION wrong(ab_point, float8) RETURNS ab_box AS '$libdir/asbuilt', 'ab_box_expand' LANGUAGE c IMMUTABLE STRICT;
+CREATE FUNCTION nullable(ab_box, float8) RETURNS ab_box AS '$libdir/asbuilt', 'ab_box_expand' LANGUAGE c IMMUTABLE;
+CREATE FUNCTION shorter(ab_box) RETURNS ab_box AS '$libdir/asbuilt', 'ab_box_expand' LANGUAGE c IMMUTABLE STRICT;
+CREATE FUNCTION longer(ab_box, float8, text) RETURNS ab_box AS '$libdir/asbuilt', 'ab_box_expand' LANGUAGE c IMMUTABLE STRICT;
+ALTER EXTENSION asbuilt ADD FUNCTION wrong(ab_point, float8);
+ALTER EXTENSION asbuilt ADD FUNCTION nullable(ab_box, float8);
+ALTER EXTENSION asbuilt ADD FUNCTION shorter(ab_box);
+ALTER EXTENSION asbuilt ADD FUNCTION longer(ab_box, float8, text);
+SELECT * FROM other_type ORDER BY 1::text, 2;
+SELECT * FROM too_few ORDER BY 1::text;
+SELECT * FROM other_null ORDER BY 1::text;
+ROLLBACK;
+DROP VIEW other_type, too_few, other_null, c_function, reads;
