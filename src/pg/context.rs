@@ -1,38 +1,28 @@
-//! What PostgreSQL's messages add under CONTEXT.
+//! Where PostgreSQL's errors come from, when our code runs a query of the caller's.
 
-use std::ffi::{CStr, c_char, c_int, c_void};
-use std::ptr::null;
+use std::panic::AssertUnwindSafe;
 
-use pgrx::pg_sys;
+use pgrx::pg_sys::errcodes::PgSqlErrorCode as Code;
+use pgrx::pg_sys::panic::{CaughtError, ErrorReport};
+use pgrx::{PgLogLevel, PgTryBuilder};
 
-unsafe extern "C-unwind" {
-    // Not among the bindings, for its arguments vary.
-    fn errcontext_msg(format: *const c_char, ...) -> c_int;
-}
-
-/// Runs `work`; what PostgreSQL reports meanwhile is said to come from there.
-pub fn within<T>(context: &CStr, work: impl FnOnce() -> T) -> T {
-    /// Also where PostgreSQL's error unwinds the work.
-    struct Restore(*mut pg_sys::ErrorContextCallback);
-
-    impl Drop for Restore {
-        fn drop(&mut self) {
-            unsafe { pg_sys::error_context_stack = self.0 };
-        }
-    }
-
-    unsafe {
-        let restore = Restore(pg_sys::error_context_stack);
-        let arg = context.as_ptr().cast_mut().cast();
-        let mut callback = pg_sys::ErrorContextCallback { previous: restore.0, callback: Some(tell), arg };
-        pg_sys::error_context_stack = &raw mut callback;
-        work()
-    }
-}
-
-unsafe extern "C-unwind" fn tell(context: *mut c_void) {
-    unsafe {
-        pg_sys::set_errcontext_domain(null());
-        errcontext_msg(c"%s".as_ptr(), context);
-    }
+/// Runs `work`; an error of PostgreSQL's in it says under DETAIL that it came from `place`. (CONTEXT is lost where pgrx
+/// carries errors through Rust.) Cancelling is nobody's error.
+pub fn within<T>(place: &'static str, work: impl FnOnce() -> T) -> T {
+    PgTryBuilder::new(AssertUnwindSafe(work))
+        .catch_others(move |cause| match cause {
+            CaughtError::PostgresError(error) if error.sql_error_code() != Code::ERRCODE_QUERY_CANCELED => {
+                let detail = error.detail().map_or_else(String::new, |detail| format!(" {detail}"));
+                let report = ErrorReport::new(error.sql_error_code(), error.message().to_owned(), "asbuilt")
+                    .set_detail(format!("In {place}.{detail}"));
+                let report = match error.hint() {
+                    Some(hint) => report.set_hint(hint.to_owned()),
+                    None => report,
+                };
+                report.report(PgLogLevel::ERROR);
+                unreachable!("an ERROR report does not return")
+            }
+            cause => cause.rethrow(),
+        })
+        .execute()
 }

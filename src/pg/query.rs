@@ -61,8 +61,7 @@ pub fn for_each_batch(
     mut visit: impl FnMut(Vec<Vec<Cell>>) -> Result<()>,
 ) -> Result<()> {
     let text = CString::new(query.text).map_err(|_| Error::argument(query.what, "without a zero byte", "one with"))?;
-    let context = CString::new(query.what).unwrap_or_default();
-    within(&context, || unsafe {
+    within(query.what, || unsafe {
         connect();
         let plan = pg_sys::SPI_prepare(text.as_ptr(), 0, std::ptr::null_mut());
         if plan.is_null() || !pg_sys::SPI_is_cursor_plan(plan) {

@@ -83,3 +83,7 @@ SELECT ab_with_intensity(ab_evidence_model('LOA40'), 1200, 1.5);
 SELECT ab_with_intensity(ab_evidence_model(), 70000);
 SELECT ab_with_intensity(ab_evidence_model(), 100, 9);
 SELECT 'loa=LOA30 intensity=12'::ab_evidence_model;
+
+-- Errors inside a query say in which of the two.
+SELECT count(*) FROM ab_verify_table('SELECT id, solid FROM nowhere', 'SELECT NULL::ab_scan');
+SELECT count(*) FROM ab_verify_table('SELECT 1, NULL::ab_solid', 'SELECT ab_scan(ARRAY[0, 0, 0]::float8[], ARRAY[[1 / (i - 2), 0, 0]]::float8[]) FROM generate_series(1, 3) i');

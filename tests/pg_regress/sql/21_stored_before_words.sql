@@ -1,7 +1,7 @@
 -- Values as the commit before today's parameters and row types stored them (containers of sections): byte for byte what is made
 -- today, and read as such.
-CREATE TABLE then_stored (name text, value text);
-INSERT INTO then_stored VALUES
+CREATE TABLE stored_before (name text, value text);
+INSERT INTO stored_before VALUES
     ('attributes', 'ab_scan:1:0350190001000080b8000000f70a388b050000000400000060deb73ecdcccc3d95364040f9d9404000000000000000000000000000001040000000000000f03f000000000000f83f2d431cebe2361a3f000000000000f03fcdccccccccccec3f666666666666f63f000000000000f03f333333333333f33f333333333333fb3f79741272311537c0cdcccccccccce43f666666666666f23f00000000000011404068a8463b552d40333333333333ff3feb52eb6755d2efbf7252dbaa50c5ba3f54634df53da88b3f0200008048000000c79a3bc80f0000020000dfd40304a9961212008900f02e67170000f0ed0200009eba020f00effe006d170000dc050050d205040002000009050004408858000100000e021102000012000202'),
     ('box', 'BOX3D(0 0 0,1 2 3)'),
     ('change', 'ab_change:1:02430001010000806c00000019a5a86d000000000000d03f000000000000f0ff000000000000f0ff000000000000f0ff000000000000f07f000000000000f07f000000000000f07f7b14ae47e17a843f00000000000000000000000000000000010000000000000000000000000000000000000000000000000000000200008020000000033ae1877b14ae47e17a843f020000000028000000101000000000000010100000000000'),
@@ -17,25 +17,25 @@ INSERT INTO then_stored VALUES
     ('pose', '(1,0,0,0,0,0.5,1.5,1)'),
     ('scan', 'ab_scan:1:0350000001000080b8000000c503e38204000000040000007c9d903dcdcccc3d95364040f9d9404003000000000000000000000000001040000000000000f03f000000000000f83f2d431cebe2361a3f000000000000f03fcdccccccccccec3f666666666666f63f000000000000f03f333333333333f33f333333333333fb3f000000000000e83fcdcccccccccce43f666666666666f23f0000000000001140333333333333f73f333333333333ff3f98174d97bcfdefbf45fca60c0005913f45fca60c0005913f0200008021000000e03d93840000010000dfd4030e008900f02e671700f0ed02000d00effe006d1700c05d0000'),
     ('solid', 'ab_solid:1:0253000001000080480000006ba61d1f080000000c000000000000000000000000000000000000000000000000000000000000000000f03f00000000000000400000000000000840000000000000364000000000000018400200008050010000582235af000000000000000000000000000000000000000000000000000000000000f03f00000000000000000000000000000000000000000000000000000000000000400000000000000000000000000000f03f00000000000000400000000000000000000000000000000000000000000000000000000000000840000000000000f03f00000000000000000000000000000840000000000000000000000000000000400000000000000840000000000000f03f00000000000000400000000000000840000000000200000003000000000000000300000001000000040000000500000007000000040000000700000006000000000000000100000005000000000000000500000004000000020000000600000007000000020000000700000003000000000000000400000006000000000000000600000002000000010000000300000007000000010000000700000005000000');
-CREATE TABLE made AS SELECT
+CREATE TABLE made_today AS SELECT
     ab_solid(ab_box(0, 0, 0, 1, 2, 3)) AS solid,
     ab_scan(ARRAY[4, 1, 1.5]::float8[], ARRAY[[1, 0.9, 1.4], [1, 1.2, 1.4], [1, 0.9, 1.7], [1, 1.2, 1.7]]::float8[], 0.1, 3) AS scan,
     ab_scan(ARRAY[4, 1, 1.5]::float8[], ARRAY[[1, 0.9, 1.4], [1, 1.2, 1.4], [1, 0.9, 1.7], [1, 1.2, 1.7]]::float8[], 0.1, no_return => ARRAY[[-1, 0.5, 0]]::float8[], intensity => ARRAY[1, 2, 3, 4], colour => ARRAY[[1, 2, 3], [4, 5, 6], [7, 8, 9], [1, 1, 1]]) AS attributes,
     ab_cloud(ARRAY[[1, 1, 1], [1, 1.2, 1], [1, 1, 1.2]]::float8[]) AS cloud,
     ab_point(1, 2, 3, 0.01) AS point, ab_line(ab_point(0, 0, 0, 0.01), ab_point(1, 0, 0, 0.01)) AS line, ab_plane(ARRAY[ab_point(0, 0, 0, 0.01), ab_point(1, 0, 0, 0.01), ab_point(0, 1, 0, 0.01), ab_point(1, 1, 0, 0.01)]) AS plane,
     ab_pose(ARRAY[0, 0.5, 1.5]::float8[]) AS pose, ab_mass(0.5, 0.2) AS mass, ab_box(0, 0, 0, 1, 2, 3) AS box;
-ALTER TABLE made ADD evidence ab_evidence, ADD meyer2022 ab_evidence, ADD occupancy ab_occupancy, ADD drawn ab_occupancy, ADD change ab_change;
-UPDATE made SET evidence = (SELECT ab_evidence_agg(solid, s, ab_evidence_model(spacing => 0.5)) FROM made, unnest(ARRAY[scan, attributes, cloud]) s),
-    meyer2022 = (SELECT ab_evidence_agg(solid, s, ab_evidence_model(spacing => 0.5, kappa => 1000, lambda => 10, model => 'meyer2022')) FROM made, unnest(ARRAY[scan, attributes]) s),
-    occupancy = (SELECT ab_occupancy_agg(scan, ab_grid(0.25)) FROM made), drawn = ab_voxelize(solid, 0.25);
-UPDATE made SET change = ab_change(occupancy, occupancy, 1);
+ALTER TABLE made_today ADD evidence ab_evidence, ADD meyer2022 ab_evidence, ADD occupancy ab_occupancy, ADD drawn ab_occupancy, ADD change ab_change;
+UPDATE made_today SET evidence = (SELECT ab_evidence_agg(solid, s, ab_evidence_model(spacing => 0.5)) FROM made_today, unnest(ARRAY[scan, attributes, cloud]) s),
+    meyer2022 = (SELECT ab_evidence_agg(solid, s, ab_evidence_model(spacing => 0.5, kappa => 1000, lambda => 10, model => 'meyer2022')) FROM made_today, unnest(ARRAY[scan, attributes]) s),
+    occupancy = (SELECT ab_occupancy_agg(scan, ab_grid(0.25)) FROM made_today), drawn = ab_voxelize(solid, 0.25);
+UPDATE made_today SET change = ab_change(occupancy, occupancy, 1);
 
-SELECT t.name, t.value = n.value AS as_today FROM then_stored t LEFT JOIN (SELECT e.* FROM made m, jsonb_each_text(to_jsonb(m)) e) n ON n.key = t.name ORDER BY 1;
-CREATE TABLE then_rows (LIKE made);
-SELECT 'INSERT INTO then_rows (' || string_agg(name, ', ') || ') VALUES (' || string_agg(quote_literal(value), ', ') || ')' AS insertion FROM then_stored \gset
+SELECT t.name, t.value = n.value AS as_today FROM stored_before t LEFT JOIN (SELECT e.* FROM made_today m, jsonb_each_text(to_jsonb(m)) e) n ON n.key = t.name ORDER BY 1;
+CREATE TABLE rows_before (LIKE made_today);
+SELECT 'INSERT INTO rows_before (' || string_agg(name, ', ') || ') VALUES (' || string_agg(quote_literal(value), ', ') || ')' AS insertion FROM stored_before \gset
 :insertion;
-SELECT ab_verdict(evidence), ab_station_count(evidence), ab_station_count(meyer2022), ab_box(occupancy), ab_box(drawn), ab_box(change), ab_count(scan), ab_count(attributes), ab_area(solid) FROM then_rows;
-SELECT count(*) AS equal FROM then_rows t JOIN made m USING (solid, scan, attributes, cloud, evidence, meyer2022, occupancy, drawn, change, mass);
+SELECT ab_verdict(evidence), ab_station_count(evidence), ab_station_count(meyer2022), ab_box(occupancy), ab_box(drawn), ab_box(change), ab_count(scan), ab_count(attributes), ab_area(solid) FROM rows_before;
+SELECT count(*) AS equal FROM rows_before t JOIN made_today m USING (solid, scan, attributes, cloud, evidence, meyer2022, occupancy, drawn, change, mass);
 
 -- Parameters in the words of then.
-SELECT ab_evidence_agg(solid, scan, 'model=surface loa=LOA20 spacing=0.5 sigma_range=0.001 sigma_angle=4e-5 sigma_station=0.001 sigma_model=0 confidence=0.95 reliability=0.99 max_incidence=1.3962634015954636 no_return_range=30 no_return_weight=0.25 kappa=20000 lambda=600 c=3') = ab_evidence_agg(solid, scan, ab_evidence_model(loa => 'LOA20', spacing => 0.5)) AS model, ab_occupancy_agg(scan, 'voxel=0.25 margin=0.02 no_return_range=0 exact=false tile=all') = ab_occupancy_agg(scan, ab_grid(0.25, margin => 0.02)) AS grid FROM then_rows;
+SELECT ab_evidence_agg(solid, scan, 'model=surface loa=LOA20 spacing=0.5 sigma_range=0.001 sigma_angle=4e-5 sigma_station=0.001 sigma_model=0 confidence=0.95 reliability=0.99 max_incidence=1.3962634015954636 no_return_range=30 no_return_weight=0.25 kappa=20000 lambda=600 c=3') = ab_evidence_agg(solid, scan, ab_evidence_model(loa => 'LOA20', spacing => 0.5)) AS model, ab_occupancy_agg(scan, 'voxel=0.25 margin=0.02 no_return_range=0 exact=false tile=all') = ab_occupancy_agg(scan, ab_grid(0.25, margin => 0.02)) AS grid FROM rows_before;
