@@ -26,6 +26,11 @@ impl<'a, T: FromArg<'a>> FromArg<'a> for Option<T> {
     }
 }
 
+/// A value that came with no call, whose type [`super::own_type_name`] told; `None` for another type or a damaged value.
+pub fn own_value<'a, T: FromArg<'a>>(value: &'a Args, type_name: &str) -> Option<T> {
+    T::SQL_TYPE.split('|').any(|name| name == type_name).then(|| T::from_arg(value, 0).ok()).flatten()
+}
+
 /// Types that one method of [`Args`] reads.
 macro_rules! read_by {
     ($($type:ty, $sql_type:literal, $method:ident;)*) => {$(

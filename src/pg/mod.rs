@@ -34,7 +34,7 @@ pub use analyze::{Statistics, analysed_by};
 pub use args::Args;
 pub use array_arg::{F64Array, I32Array, ScanArray, TextArray};
 pub use declared::{Declared, Parameter, lacks, next_arg};
-pub use from_arg::{FromArg, Internal, Message, Oid, TextInput};
+pub use from_arg::{FromArg, Internal, Message, Oid, TextInput, own_value};
 pub use function::run;
 pub(crate) use function::{bound, parameters, sql_functions};
 pub use gist::{Answer, Entry, KeyVector, PickSplit, Query as GistQuery};

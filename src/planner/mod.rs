@@ -6,7 +6,7 @@ use asbuilt_core::geometry::{Aabb, BoxStatistics, Relation};
 use asbuilt_core::scan::JOIN_MARGIN_M;
 
 use crate::pg::{
-    Args, FromArg, Internal, Known, Oid, Other, Restriction, SqlValue, Statistics, analysed_by, join, restriction,
+    Args, Internal, Known, Oid, Other, Restriction, SqlValue, Statistics, analysed_by, join, own_value, restriction,
     sql_functions,
 };
 use crate::types::overlap::{of_line, of_point, of_scan, of_solid, of_tile};
@@ -26,17 +26,15 @@ impl Statistics for Boxes {
 
 /// The box of argument 0 as `&&` sees it.
 fn box_of(type_name: &str, value: &Args) -> Option<Aabb> {
-    // The type's name has been compared with our own types.
     match type_name {
-        "ab_box" => FromArg::from_arg(value, 0),
-        "ab_solid" => FromArg::from_arg(value, 0).and_then(|v| of_solid(&v)),
-        "ab_scan" => FromArg::from_arg(value, 0).and_then(|v| of_scan(&v)),
-        "ab_point" => FromArg::from_arg(value, 0).and_then(|v| of_point(&v)),
-        "ab_line" => FromArg::from_arg(value, 0).and_then(|v| of_line(&v)),
-        "ab_occupancy" | "ab_change" => FromArg::from_arg(value, 0).and_then(|v| of_tile(&v)),
-        _ => return None,
+        "ab_box" => own_value(value, type_name),
+        "ab_solid" => of_solid(&own_value(value, type_name)?).ok(),
+        "ab_scan" => of_scan(&own_value(value, type_name)?).ok(),
+        "ab_point" => of_point(&own_value(value, type_name)?).ok(),
+        "ab_line" => of_line(&own_value(value, type_name)?).ok(),
+        "ab_occupancy" | "ab_change" => of_tile(&own_value(value, type_name)?).ok(),
+        _ => None,
     }
-    .ok()
 }
 
 fn statistics(column: &Known) -> Option<BoxStatistics> {
