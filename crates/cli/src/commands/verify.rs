@@ -2,12 +2,12 @@
 
 use anyhow::Result;
 use asbuilt_core::evidence::{Loa, SensorPreset};
-use postgres::IsolationLevel;
 use postgres::types::ToSql;
+use postgres::{IsolationLevel, Row};
 use serde_json::Value;
 
 use super::load::parse_loa;
-use crate::database::connect::{DatabaseArgs, explain};
+use crate::database::connect::{Database, DatabaseArgs, explain};
 use crate::database::tables;
 use crate::output::{Format, Table, rounded, say, spinner};
 
@@ -82,6 +82,15 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     let mut db = args.database.connect()?;
     tables::check_loaded(&mut db)?;
     tables::check_epoch(&mut db, args.epoch)?;
+    let mut table = Table::new(&columns(args.format));
+    for row in judged(args, &mut db)? {
+        table.push(cells(&row, args.format));
+    }
+    table.print(args.format)
+}
+
+/// A row of [`VERDICTS`] per object, batch by batch; all batches see the same data.
+fn judged(args: &VerifyArgs, db: &mut Database) -> Result<Vec<Row>> {
     let (verdicts, batches) = (db.sql(VERDICTS), db.sql(BATCHES));
     let objects = db.names.for_format().sql(OBJECTS);
     let scans = format!("{} WHERE epoch = '{}'::int4", db.sql("SELECT patch FROM @scan"), args.epoch);
@@ -91,63 +100,64 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     let sigma_station = args.sigma_station.or(preset.map(|p| p.sigma_station));
     let sigma_angle = preset.map(|p| p.sigma_angle);
     let bar = spinner("verifying");
-    let mut rows = Vec::new();
-    // All batches see the same data.
     let one_view = db.client.build_transaction().read_only(true).isolation_level(IsolationLevel::RepeatableRead);
     let mut client = one_view.start().map_err(explain)?;
     let batches = client.query(&batches, &[&args.spacing]).map_err(explain)?;
     if batches.len() > 1 {
-        bar.suspend(|| {
-            say!(
-                "asbuilt: {} batches of some 20 million samples; objects of different batches do not know each other as \
-                neighbours (a wider --spacing makes fewer)",
-                batches.len()
-            );
-        });
+        bar.suspend(|| warn_of_batches(batches.len()));
     }
+    let mut rows = Vec::new();
     for batch in batches {
         let ids: Vec<i64> = batch.get(0);
-        let parameters: [&(dyn ToSql + Sync); 10] = [
-            &scans,
-            &loa,
-            &args.model,
-            &args.spacing,
-            &sigma_range,
-            &sigma_station,
-            &args.confidence,
-            &sigma_angle,
-            &objects,
-            &ids,
-        ];
+        let VerifyArgs { model, spacing, confidence, .. } = args;
+        let (range, station, angle) = (&sigma_range, &sigma_station, &sigma_angle);
+        let parameters: [&(dyn ToSql + Sync); 10] =
+            [&scans, &loa, model, spacing, range, station, confidence, angle, &objects, &ids];
         rows.extend(client.query(&verdicts, &parameters).map_err(explain)?);
     }
     bar.finish_and_clear();
-    let wide = args.format != Format::Table;
+    Ok(rows)
+}
+
+fn warn_of_batches(count: usize) {
+    say!(
+        "asbuilt: {count} batches of some 20 million samples; objects of different batches do not know each other as \
+        neighbours (a wider --spacing makes fewer)"
+    );
+}
+
+/// Whether what identifies an object is printed, too.
+fn is_wide(format: Format) -> bool {
+    format != Format::Table
+}
+
+fn columns(format: Format) -> Vec<&'static str> {
     let mut columns = vec!["name"];
-    if wide {
+    if is_wide(format) {
         columns.extend(["global_id", "ifc_class", "storey"]);
     }
     columns.extend(["loa", "verdict", "best_loa", "samples", "coverage", "confirmed", "refuted", "open", "conflict"]);
     columns.extend(["deviation", "deviation_sd"]);
-    columns.extend(shift_columns(args.format));
-    let mut table = Table::new(&columns);
-    for row in &rows {
-        let text = |i: usize| row.get::<_, Option<String>>(i).map_or(Value::Null, Value::from);
-        let number = |i: usize, digits: i32| rounded(row.get::<_, Option<f64>>(i), digits);
-        let mut out = vec![text(0)];
-        if wide {
-            out.extend([text(1), text(2), text(3)]);
-        }
-        let samples = row.get::<_, Option<i64>>(7).map_or(Value::Null, Value::from);
-        // No solid, no evidence: the object is there all the same.
-        let verdict = if text(5).is_null() { Value::from("unobserved") } else { text(5) };
-        out.extend([text(4), verdict, text(6), samples]);
-        out.extend((8..13).map(|i| number(i, 3)));
-        out.extend([number(13, 4), number(14, 4)]);
-        out.extend(shift(args.format, row.get(15), row.get(16)));
-        table.push(out);
+    columns.extend(shift_columns(format));
+    columns
+}
+
+/// A row of [`VERDICTS`] under [`columns`].
+fn cells(row: &Row, format: Format) -> Vec<Value> {
+    let text = |i: usize| row.get::<_, Option<String>>(i).map_or(Value::Null, Value::from);
+    let number = |i: usize, digits: i32| rounded(row.get::<_, Option<f64>>(i), digits);
+    let mut out = vec![text(0)];
+    if is_wide(format) {
+        out.extend([text(1), text(2), text(3)]);
     }
-    table.print(args.format)
+    let samples = row.get::<_, Option<i64>>(7).map_or(Value::Null, Value::from);
+    // No solid, no evidence: the object is there all the same.
+    let verdict = if text(5).is_null() { Value::from("unobserved") } else { text(5) };
+    out.extend([text(4), verdict, text(6), samples]);
+    out.extend((8..13).map(|i| number(i, 3)));
+    out.extend([number(13, 4), number(14, 4)]);
+    out.extend(shift(format, row.get(15), row.get(16)));
+    out
 }
 
 /// One text for people, a number a column for spreadsheets, arrays for programs.
