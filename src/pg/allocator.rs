@@ -132,8 +132,9 @@ unsafe extern "C" {
 /// Gives freed memory back to the system, where it is much: glibc keeps what lies below the last block that lives, and
 /// whoever limits a backend's memory sees it as taken (43 of 215 MB, after four pieces of evidence).
 pub fn give_back() {
-    let live = live();
-    if HIGH.load(Relaxed) - live > WORTH_GIVING_BACK {
+    let (live, high) = (live(), HIGH.load(Relaxed));
+    // What comes and goes beside a state that stays is wanted again by the next call.
+    if high - live > WORTH_GIVING_BACK && live < high / 2 {
         HIGH.store(live, Relaxed);
         #[cfg(target_env = "gnu")]
         unsafe {
