@@ -19,8 +19,6 @@ static LIVE: AtomicIsize = AtomicIsize::new(0);
 static PEAK: AtomicIsize = AtomicIsize::new(0);
 /// The most that lived since [`give_back`] last did.
 static HIGH: AtomicIsize = AtomicIsize::new(0);
-/// So much must have been freed before it is worth the look at all of the heap.
-const WORTH_GIVING_BACK: isize = 16 << 20;
 
 /// Bytes that the system refused when the ballast was given up; 0 if it refused none.
 static REFUSED: AtomicUsize = AtomicUsize::new(0);
@@ -129,12 +127,13 @@ unsafe extern "C" {
     fn malloc_trim(pad: usize) -> std::ffi::c_int;
 }
 
-/// Gives freed memory back to the system, where it is much: glibc keeps what lies below the last block that lives, and
-/// whoever limits a backend's memory sees it as taken (43 of 215 MB, after four pieces of evidence).
-pub fn give_back() {
+/// Gives freed memory back to the system, where it is more than `worth` bytes: glibc keeps what lies below the last
+/// block that lives, and whoever limits a backend's memory sees it as taken (43 of 215 MB, after four pieces of
+/// evidence).
+pub fn give_back(worth: usize) {
     let (live, high) = (live(), HIGH.load(Relaxed));
     // What comes and goes beside a state that stays is wanted again by the next call.
-    if high - live > WORTH_GIVING_BACK && live < high / 2 {
+    if high - live > worth.min(isize::MAX as usize) as isize && live < high / 2 {
         HIGH.store(live, Relaxed);
         #[cfg(target_env = "gnu")]
         unsafe {

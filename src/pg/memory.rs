@@ -40,6 +40,10 @@ static BEFORE: AtomicIsize = AtomicIsize::new(0);
 static LIMIT: AtomicUsize = AtomicUsize::new(usize::MAX);
 static CEILING: AtomicUsize = AtomicUsize::new(usize::MAX);
 
+/// What was freed goes back to the system from this part of a limit on: below it, pages that the next group of an
+/// aggregate takes anew would cost more than they tell of the limit (4 % of a verification, were it 16 MB).
+const WORTH_GIVING_BACK: usize = 8;
+
 /// An account that is open until this is dropped.
 #[derive(Debug)]
 pub struct Opened {
@@ -81,7 +85,7 @@ impl Drop for Opened {
 fn switch(to: usize) -> usize {
     let (live, open) = (allocator::live(), OPEN.load(Relaxed));
     HELD[open].fetch_add(live - BEFORE.swap(live, Relaxed), Relaxed);
-    allocator::give_back();
+    allocator::give_back(LIMIT.load(Relaxed) / WORTH_GIVING_BACK);
     OPEN.store(to, Relaxed);
     let statement = unsafe { pgrx::pg_sys::GetCurrentStatementStartTimestamp() };
     if STATEMENT.swap(statement, Relaxed) != statement {

@@ -33,7 +33,7 @@ impl Given {
     pub fn of(loa: Option<Loa>, kind: Option<String>, numbers: &[Option<f64>]) -> Result<Self> {
         let mut given = Self::default();
         if let Some(loa) = loa {
-            given.model.loa = loa;
+            given.model.question.loa = loa;
             given.names.push("loa".into());
         }
         if let Some(kind) = kind {

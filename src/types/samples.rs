@@ -18,8 +18,8 @@ sql_functions! {
 
     fn ab_samples(rows: Rows; evidence: EvidenceArg, loa: Option<Loa>, confidence: Option<f64>) {
         let e = evidence.read()?;
-        let model = question(&e, loa, confidence)?;
-        e.for_each_sample(&model, &Backend, |position, normal, b| {
+        let question = question(&e, loa, confidence)?;
+        e.for_each_sample(&question, &Backend, |position, normal, b| {
             rows.push(&[
                 vector(position),
                 vector(normal),
@@ -34,8 +34,8 @@ sql_functions! {
 
     fn ab_faces(rows: Rows; evidence: EvidenceArg, loa: Option<Loa>, confidence: Option<f64>) {
         let e = evidence.read()?;
-        let model = question(&e, loa, confidence)?;
-        for f in e.faces(&model, &Backend)? {
+        let question = question(&e, loa, confidence)?;
+        for f in e.faces(&question, &Backend)? {
             rows.push(&[
                 vector(&f.normal),
                 Field::I64(f.counts.samples as i64),

@@ -1,38 +1,36 @@
 //! `ab_summary(evidence)`, `ab_verdict(evidence)`, `ab_shift(evidence)`: the answers.
 
-use asbuilt_core::Result;
 use asbuilt_core::evidence::Loa;
-use asbuilt_core::verify::{Evidence, EvidenceModel, Shift, Summary, VerdictRule};
+use asbuilt_core::verify::{Evidence, Question, Shift, Summary, VerdictRule};
+use asbuilt_core::{Error, Result};
 
 use super::evidence::EvidenceArg;
 use crate::pg::{Account, Backend, Field, SqlValue, sql_functions};
 
-/// The evidence's model, at this level of accuracy and confidence where they are given.
-pub fn question(e: &Evidence, loa: Option<Loa>, confidence: Option<f64>) -> Result<EvidenceModel> {
+/// The question of the evidence's model, at this level of accuracy and confidence where they are given.
+pub fn question(e: &Evidence, loa: Option<Loa>, confidence: Option<f64>) -> Result<Question> {
     let mut model = *e.model();
-    model.loa = loa.unwrap_or(model.loa);
+    model.question.loa = loa.unwrap_or(model.question.loa);
     if let Some(confidence) = confidence {
         model.set("confidence", confidence)?;
     }
-    Ok(model)
+    Ok(model.question)
 }
 
 /// The thresholds `min_confirmed`, `min_coverage` and `max_conflict` where they are given.
 pub fn rule([min_confirmed, min_coverage, max_conflict]: [Option<f64>; 3]) -> Result<VerdictRule> {
-    let mut rule = VerdictRule::default();
-    for (what, place, value) in [
-        ("min_confirmed", &mut rule.min_confirmed, min_confirmed),
-        ("min_coverage", &mut rule.min_coverage, min_coverage),
-        ("max_conflict", &mut rule.max_conflict, max_conflict),
-    ] {
-        if let Some(value) = value {
-            if !(0.0..=1.0).contains(&value) {
-                return Err(asbuilt_core::Error::argument(what, "between 0 and 1", value));
-            }
-            *place = value;
-        }
-    }
-    Ok(rule)
+    let share = |what, value: Option<f64>| match value.filter(|x| !(0.0..=1.0).contains(x)) {
+        Some(bad) => Err(Error::argument(what, "between 0 and 1", bad)),
+        None => Ok(value),
+    };
+    let rule = VerdictRule::default();
+    let min_confirmed = share("min_confirmed", min_confirmed)?;
+    let rule = min_confirmed.map_or(rule, |asked| rule.with_min_confirmed(asked));
+    Ok(VerdictRule {
+        min_coverage: share("min_coverage", min_coverage)?.unwrap_or(rule.min_coverage),
+        max_conflict: share("max_conflict", max_conflict)?.unwrap_or(rule.max_conflict),
+        ..rule
+    })
 }
 
 /// The summary of evidence as it is asked for.

@@ -72,7 +72,7 @@ fn verdict(
     interrupt: asbuilt_core::Interrupt,
 ) -> Result<(Summary, Option<Vec<u8>>)> {
     let bytes = keep.then(|| e.to_bytes(interrupt)).transpose()?;
-    Ok((e.summary(e.model(), rule, interrupt)?, bytes))
+    Ok((e.summary(&e.model().question, rule, interrupt)?, bytes))
 }
 
 sql_functions! {

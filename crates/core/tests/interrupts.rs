@@ -73,7 +73,7 @@ fn all_questions(n: u32) -> Vec<(&'static str, usize)> {
         ("write evidence", Box::new(|i| evidence.to_bytes(i).map(drop))),
         ("read evidence", Box::new(|i| Evidence::from_bytes(&bytes, i).map(drop))),
         ("add evidence", Box::new(|i| evidence.without_stations().merge(&evidence, i))),
-        ("judge evidence", Box::new(|i| evidence.summary(&model, &VerdictRule::default(), i).map(drop))),
+        ("judge evidence", Box::new(|i| evidence.summary(&model.question, &VerdictRule::default(), i).map(drop))),
     ];
     works.iter().map(|w| (w.0, questions(w))).collect()
 }

@@ -56,7 +56,7 @@ fn batches_and_threads_change_nothing() {
     for ((solid, model), e) in objects.iter().zip(&one) {
         assert_eq!(alone(solid, *model, &all).stations(), e.stations());
     }
-    let verdict = |e: &Evidence| e.verdict(e.model(), &VerdictRule::default(), NEVER).unwrap();
+    let verdict = |e: &Evidence| e.verdict(&e.model().question, &VerdictRule::default(), NEVER).unwrap();
     assert_eq!((verdict(&one[0]), verdict(&one[1])), (Verdict::Confirmed, Verdict::Absent));
 }
 
@@ -66,7 +66,7 @@ fn a_drawn_cladding_does_not_displace_the_wall_behind_it() {
     let wall = Solid::cuboid([5.05, -1.0, -1.0], [5.25, 1.0, 1.0]).unwrap();
     let cladding = Solid::cuboid([5.0, -1.0, -1.0], [5.05, 1.0, 1.0]).unwrap();
     let seen = patches(1, Vec3::zeros(), |_| 5.0, None);
-    let verdict = |e: &Evidence| e.verdict(e.model(), &VerdictRule::default(), NEVER).unwrap();
+    let verdict = |e: &Evidence| e.verdict(&e.model().question, &VerdictRule::default(), NEVER).unwrap();
     assert_eq!(verdict(&alone(&wall, model, &seen)), Verdict::Deviating);
     let both = together(&[(wall.clone(), model), (cladding.clone(), model)], &seen, Threads::Own, 4);
     assert_eq!((verdict(&both[0]), verdict(&both[1])), (Verdict::Unobserved, Verdict::Confirmed));
@@ -104,7 +104,7 @@ fn a_slim_pole_beside_its_place_is_not_absent() {
         let pole = Solid::cylinder([4.0, 0.0, -1.0], radius, 2.0, 24).unwrap();
         let verdict = |seen: &[Vec<u8>]| {
             let both = together(&[(wall.clone(), model), (pole.clone(), model)], seen, Threads::Own, 4);
-            both[1].verdict(&model, &VerdictRule::default(), NEVER).unwrap()
+            both[1].verdict(&model.question, &VerdictRule::default(), NEVER).unwrap()
         };
         assert_eq!(verdict(&with_pole(0.0, radius)), Verdict::Confirmed, "{radius}");
         for off in [0.03, 0.045, 0.06] {
@@ -122,7 +122,7 @@ fn a_cupboard_does_not_displace_the_wall_that_it_hides() {
     let judged = |hidden: f64| {
         let edge = (128.0 * hidden) as usize;
         let seen = patches(1, Vec3::zeros(), |i| if i % 128 < edge { 4.9 } else { 5.004 }, None);
-        alone(&wall, model, &seen).summary(&model, &VerdictRule::default(), NEVER).unwrap()
+        alone(&wall, model, &seen).summary(&model.question, &VerdictRule::default(), NEVER).unwrap()
     };
     for hidden in [0.3, 0.5, 0.65] {
         let s = judged(hidden);
@@ -147,7 +147,12 @@ fn dark_beams_are_worth_less() {
     let plain = EvidenceModel::default();
     let noise = Some(IntensityNoise::new(2000, 1.0).unwrap());
     let deviation = |model: EvidenceModel| {
-        alone(&wall, model, &seen).summary(&model, &VerdictRule::default(), NEVER).unwrap().deviation.unwrap().0
+        alone(&wall, model, &seen)
+            .summary(&model.question, &VerdictRule::default(), NEVER)
+            .unwrap()
+            .deviation
+            .unwrap()
+            .0
     };
     assert!((deviation(plain) + 0.0045).abs() < 1e-3, "{}", deviation(plain));
     // Shares 1 and 1/50.

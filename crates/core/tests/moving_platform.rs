@@ -46,7 +46,7 @@ fn judged(content: &Beams, origins: Origins, origin: Vec3) -> Summary {
     }
     let e = c.into_evidence();
     assert_eq!(e.stations().len(), 1);
-    e.summary(e.model(), &VerdictRule::default(), NEVER).unwrap()
+    e.summary(&e.model().question, &VerdictRule::default(), NEVER).unwrap()
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn both_sides_of_an_open_surface_agree() {
         }
     }
     let e = c.into_evidence();
-    let seen = e.summary(e.model(), &VerdictRule::default(), NEVER).unwrap();
+    let seen = e.summary(&e.model().question, &VerdictRule::default(), NEVER).unwrap();
     assert!((seen.deviation.unwrap().0.abs() - 0.006).abs() < 5e-4, "{seen:?}");
     assert_eq!(seen.verdict, Verdict::Confirmed);
 }

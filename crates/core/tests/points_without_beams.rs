@@ -27,7 +27,7 @@ fn cloud(at: f64) -> Vec<Vec3> {
 }
 
 fn judged(e: &Evidence) -> Summary {
-    let summary = e.summary(e.model(), &VerdictRule::default(), NEVER).unwrap();
+    let summary = e.summary(&e.model().question, &VerdictRule::default(), NEVER).unwrap();
     let bytes = e.to_bytes(NEVER).unwrap();
     assert_eq!(Evidence::from_bytes(&bytes, NEVER).unwrap().to_bytes(NEVER).unwrap(), bytes);
     summary

@@ -5,7 +5,8 @@ use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::verify::{
-    Collector, Evidence, EvidenceModel, ModelKind, SampleBelief, Summary, Threads, Verdict, VerdictRule, Verifier,
+    Collector, Evidence, EvidenceModel, ModelKind, Question, SampleBelief, Summary, Threads, Verdict, VerdictRule,
+    Verifier,
 };
 use asbuilt_simulate::{Change, Scanner, Scene};
 use rayon::prelude::*;
@@ -96,11 +97,11 @@ impl Setup {
     fn outcome(&self, object: &Object, fate: &Fate, evidence: &Evidence) -> Result<Outcome> {
         let model = *evidence.model();
         let rule = VerdictRule::default();
-        let summary = evidence.summary(&model, &rule, NEVER)?;
+        let summary = evidence.summary(&model.question, &rule, NEVER)?;
         let samples = self.samples(evidence, &model, fate)?;
         let truths: Vec<(usize, SampleTruth)> = samples.iter().map(|s| (s.face, s.truth)).collect();
         let missing = fate.solid.is_none();
-        let expected = expected(&truths, missing, model.tolerance(), rule.min_coverage);
+        let expected = expected(&truths, missing, model.question.tolerance(), rule.min_coverage);
         let faces = face_estimates(evidence, &model, &samples)?;
         let deviation = summary
             .deviation
@@ -122,7 +123,7 @@ impl Setup {
             deviation,
             faces: faces.into_iter().map(|f| f.1).collect(),
             shift,
-            stated: samples.iter().filter_map(|s| s.stated(model.tolerance())).collect(),
+            stated: samples.iter().filter_map(|s| s.stated(model.question.tolerance())).collect(),
             expected,
             account,
         })
@@ -140,7 +141,7 @@ impl Setup {
             fate.case.name(),
             millimetres(shift),
             millimetres(bow),
-            model.loa.name(),
+            model.question.loa.name(),
             names.join(" or "),
             right.margin * 1e3,
             said.verdict.name(),
@@ -159,7 +160,7 @@ impl Setup {
             .collect();
         EvidenceModel {
             kind,
-            loa: fit[(i + self.number) % fit.len()],
+            question: Question { loa: fit[(i + self.number) % fit.len()], ..Question::default() },
             sigma_range: s.sigma_range,
             sigma_angle: s.sigma_angle,
             sigma_station: s.sigma_registration,
@@ -177,7 +178,7 @@ impl Setup {
         let in_front = if fate.solid.is_some() { 0.1 } else { 1e-3 };
         let view = Viewpoints { stations: &self.stations, step: scanner.step, max_incidence, in_front };
         let (mut out, mut i) = (Vec::new(), 0);
-        evidence.for_each_sample(model, NEVER, |position, normal, belief| {
+        evidence.for_each_sample(&model.question, NEVER, |position, normal, belief| {
             if i % stride == 0 {
                 let area = model.spacing * model.spacing * stride as f64;
                 let sight = sight(&self.scene, &view, area, position, normal);
@@ -211,7 +212,7 @@ fn provable(sd: f64) -> Loa {
 /// Faces with a deviation, and the true median of the same samples.
 fn face_estimates(evidence: &Evidence, model: &EvidenceModel, samples: &[Sample]) -> Result<Vec<(usize, Estimate)>> {
     let mut out = Vec::new();
-    for (f, report) in evidence.faces(model, NEVER)?.iter().enumerate() {
+    for (f, report) in evidence.faces(&model.question, NEVER)?.iter().enumerate() {
         let mut truth: Vec<f64> = samples
             .iter()
             .filter(|s| s.face == f && s.belief.seen && s.belief.deviation.is_some())

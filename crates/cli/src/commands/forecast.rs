@@ -134,7 +134,7 @@ fn objects(args: &ForecastArgs) -> Result<Vec<Object>> {
 fn print_objects(args: &ForecastArgs, objects: &[Object], evidence: &[Evidence], model: &EvidenceModel) -> Result<()> {
     let mut table = Table::new(&["name", "ifc_class", "area", "coverage", "stations", "best_loa", "deviation_sd"]);
     for (o, e) in objects.iter().zip(evidence) {
-        let s: Summary = e.summary(model, &VerdictRule::default(), NEVER)?;
+        let s: Summary = e.summary(&model.question, &VerdictRule::default(), NEVER)?;
         table.push(vec![
             Value::from(o.name.as_str()),
             Value::from(o.ifc_class.as_str()),
@@ -187,7 +187,7 @@ fn unseen(solids: &[Solid], evidence: &[Evidence], model: &EvidenceModel) -> Res
     let mut out = Vec::new();
     for (solid, e) in solids.iter().zip(evidence) {
         let area = solid.area() / e.samples().len().max(1) as f64;
-        e.for_each_sample(model, NEVER, |position, normal, belief| {
+        e.for_each_sample(&model.question, NEVER, |position, normal, belief| {
             if !belief.seen {
                 out.push(Unseen { position: *position, normal: *normal, area });
             }

@@ -25,7 +25,7 @@ mod verdict;
 
 pub use collect::{Collector, Threads, Verifier};
 pub use evidence::{Evidence, EvidenceHeader, Place, Samples, Station};
-pub use model::{EvidenceModel, IntensityNoise, ModelKind};
+pub use model::{EvidenceModel, IntensityNoise, ModelKind, Question};
 pub use surface::Shift;
 pub use verdict::{
     Contribution, Counts, FaceReport, PlannedStation, SampleBelief, Shares, Summary, Verdict, VerdictRule,

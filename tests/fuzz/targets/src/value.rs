@@ -68,10 +68,10 @@ pub fn same_through_bytes(e: &Evidence) {
 pub fn questions(e: &Evidence) {
     let rule = VerdictRule::default();
     for model in [*e.model(), EvidenceModel::default()] {
-        let _ = bounded(|i| e.summary(&model, &rule, i));
-        let _ = bounded(|i| e.verdict(&model, &rule, i));
-        let _ = bounded(|i| e.faces(&model, i));
-        let _ = bounded(|i| e.explain(&model, &rule, i));
+        let _ = bounded(|i| e.summary(&model.question, &rule, i));
+        let _ = bounded(|i| e.verdict(&model.question, &rule, i));
+        let _ = bounded(|i| e.faces(&model.question, i));
+        let _ = bounded(|i| e.explain(&model.question, &rule, i));
     }
     let _ = bounded(|i| e.rigid_shift(i)).map(|s| s.map(|s| s.to_text()));
     let mut twice = e.clone();

@@ -5,7 +5,7 @@ use super::station::{Place, Station};
 use crate::Interrupt;
 use crate::error::{Error, Limited, Mismatch, Result};
 use crate::geometry::{Aabb, Solid};
-use crate::verify::model::{EvidenceModel, Sums};
+use crate::verify::model::{EvidenceModel, Question, Sums};
 
 /// Most sums (48 bytes each in memory) of one value: more than PostgreSQL's 1 GB holds at 16 bytes a sum.
 pub(super) const MAX_SUMS: usize = 64_000_000;
@@ -63,9 +63,9 @@ impl Evidence {
         self.stations.iter().enumerate().filter_map(|(i, s)| Some((i, s, &**s.blocks.get(&(b as u32))?))).collect()
     }
 
-    /// The parameters with the level of accuracy and confidence of others.
-    pub(in crate::verify) fn question(&self, asked: &EvidenceModel) -> EvidenceModel {
-        self.model.with_question(asked)
+    /// The parameters with another question.
+    pub(in crate::verify) fn asked(&self, question: &Question) -> EvidenceModel {
+        EvidenceModel { question: *question, ..self.model }
     }
 
     /// The place of a station in [`Evidence::stations`], made if it is new.

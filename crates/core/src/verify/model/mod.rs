@@ -1,6 +1,6 @@
 //! What a beam says about a place: the parameters, and one file for each model.
 //!
-//! [`EvidenceModel`] holds the parameters. What differs from model to model is the trait [`BeamModel`]: how beams
+//! [`EvidenceModel`] holds the parameters, [`Question`] those that can be asked anew. What differs from model to model is the trait [`BeamModel`]: how beams
 //! become integer [`Sums`] at a sample, and what a station's sums state there ([`Statement`]). [`Surface`] is the
 //! product's own model, with the sums in `surface_sums`, the weights in `kernel`, and what each beam met in `outcome`
 //! and `ownership`; [`Meyer2022`] is the published one. A new model is a file here and an entry in `kind`.
@@ -13,6 +13,7 @@ mod meyer2022;
 mod outcome;
 mod ownership;
 mod parameters;
+mod question;
 mod sight;
 mod statement;
 mod sums;
@@ -29,6 +30,7 @@ pub(super) use meyer2022::Meyer2022;
 pub(super) use outcome::BeamOutcome;
 pub(super) use ownership::may_be_anothers;
 pub use parameters::EvidenceModel;
+pub use question::Question;
 pub(super) use sight::Sight;
 pub(super) use statement::{Statement, StationObservation};
 pub(super) use sums::Sums;

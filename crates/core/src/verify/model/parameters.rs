@@ -2,19 +2,21 @@
 
 use super::intensity::IntensityNoise;
 use super::kind::ModelKind;
+use super::question::Question;
 use crate::error::{Error, Result};
 use crate::evidence::{Loa, RayModel};
 use crate::num::bytes::{Put, Reader};
 use crate::num::text::number;
 use crate::scan::{JOIN_MARGIN_M, NO_RETURN_REACH_M};
 
-/// Parameters of evidence and verdict: SQL's `ab_evidence_model`.
+/// How evidence is gathered, stored with its sums, and what is asked of it unless a query asks otherwise: SQL's
+/// `ab_evidence_model`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EvidenceModel {
     /// Which model.
     pub kind: ModelKind,
-    /// The level of accuracy that the object must keep.
-    pub loa: Loa,
+    /// What is asked. Its tolerance also says how far in front of a face its surface is looked for.
+    pub question: Question,
     /// Distance between samples on the solid, metres.
     pub spacing: f64,
     /// Standard deviation of a range, metres.
@@ -25,8 +27,6 @@ pub struct EvidenceModel {
     pub sigma_station: f64,
     /// Standard deviation of the model's own surface, metres.
     pub sigma_model: f64,
-    /// Belief from which a sample counts as confirmed or refuted.
-    pub confidence: f64,
     /// Reliability α of a station: the most belief it can give. Below 1, so that nothing can veto.
     pub reliability: f64,
     /// Beams that meet a face at more than this from its normal, radians, tell nothing of it.
@@ -50,13 +50,12 @@ impl Default for EvidenceModel {
     fn default() -> Self {
         Self {
             kind: ModelKind::Surface,
-            loa: Loa::Loa30,
+            question: Question::default(),
             spacing: 0.02,
             sigma_range: 0.001,
             sigma_angle: 4e-5,
             sigma_station: 0.001,
             sigma_model: 0.0,
-            confidence: 0.95,
             reliability: 0.99,
             max_incidence: 80f64.to_radians(),
             no_return_range: NO_RETURN_REACH_M,
@@ -78,7 +77,7 @@ const FIELDS: [Field; 13] = [
     ("sigma_angle", |m| &mut m.sigma_angle, 0.0, 0.1, "between 0 and 0.1 rad"),
     ("sigma_station", |m| &mut m.sigma_station, 0.0, 1.0, "between 0 and 1 m"),
     ("sigma_model", |m| &mut m.sigma_model, 0.0, 1.0, "between 0 and 1 m"),
-    ("confidence", |m| &mut m.confidence, 0.5, 0.9999, "between 0.5 and 0.9999"),
+    ("confidence", |m| &mut m.question.confidence, 0.5, 0.9999, "between 0.5 and 0.9999"),
     ("reliability", |m| &mut m.reliability, 0.5, 0.999999, "between 0.5 and 0.999999"),
     ("max_incidence", |m| &mut m.max_incidence, 0.1, 1.55, "between 0.1 and 1.55 rad"),
     ("no_return_range", |m| &mut m.no_return_range, 0.0, NO_RETURN_REACH_M, "between 0 and 30 m"),
@@ -120,11 +119,6 @@ impl EvidenceModel {
         Ok(())
     }
 
-    /// Tolerance ±T, metres.
-    pub fn tolerance(&self) -> f64 {
-        self.loa.upper()
-    }
-
     /// Variance that no number of beams and no registration takes away, m²: a tenth of a millimetre, the zero point of
     /// a good scanner.
     pub fn least_variance(&self) -> f64 {
@@ -147,12 +141,7 @@ impl EvidenceModel {
     /// How far in front of a face a return may be the face's surface, metres; farther in front it is something else
     /// that hides it. No wider than the tolerance asks for: furniture stands there.
     pub fn band_in_front(&self) -> f64 {
-        (self.tolerance() + 0.05).clamp(0.1, JOIN_MARGIN_M)
-    }
-
-    /// Asks anew for another model's level of accuracy and confidence; how the sums were made stays as it was.
-    pub(in crate::verify) fn with_question(&self, asked: &Self) -> Self {
-        Self { confidence: asked.confidence, loa: asked.loa, ..*self }
+        (self.question.tolerance() + 0.05).clamp(0.1, JOIN_MARGIN_M)
     }
 
     /// The ray model's parameters.
@@ -170,7 +159,7 @@ impl EvidenceModel {
     /// Appends the stored form.
     pub fn write(&self, out: &mut Vec<u8>) {
         out.put_u32(self.kind as u32 | IntensityNoise::packed(self.intensity));
-        out.put_u32(self.loa as u32);
+        out.put_u32(self.question.loa as u32);
         // Zero has no sign: text and binary forms say the same.
         self.numbers().iter().for_each(|&x| out.put_f64(x + 0.0));
     }
@@ -182,7 +171,8 @@ impl EvidenceModel {
         let kind = ModelKind::of_number(number).ok_or_else(|| r.bad(format!("unknown evidence model {number}")))?;
         let loa = r.u32()?;
         let loa = *Loa::ALL.get(loa as usize).ok_or_else(|| r.bad(format!("unknown level of accuracy {loa}")))?;
-        let mut model = Self { kind, loa, intensity: IntensityNoise::unpacked(word), ..Self::default() };
+        let question = Question { loa, ..Question::default() };
+        let mut model = Self { kind, question, intensity: IntensityNoise::unpacked(word), ..Self::default() };
         if IntensityNoise::packed(model.intensity) != word & !0xff {
             return Err(r.bad(format!("noise by intensity {word:#x}")));
         }
@@ -194,7 +184,7 @@ impl EvidenceModel {
 
     /// Text form `model=surface loa=LOA30 spacing=0.02 …`.
     pub fn to_text(&self) -> String {
-        let mut out = format!("model={} loa={}", self.kind.name(), self.loa.name());
+        let mut out = format!("model={} loa={}", self.kind.name(), self.question.loa.name());
         for (name, value) in Self::names().zip(self.numbers()) {
             out += &format!(" {name}={}", number(value));
         }
@@ -213,7 +203,7 @@ impl EvidenceModel {
             let (name, value) = word.split_once('=').unwrap_or(("loa", word));
             match name {
                 "model" => m.kind = ModelKind::parse(value)?,
-                "loa" => m.loa = Loa::parse(value)?,
+                "loa" => m.question.loa = Loa::parse(value)?,
                 "intensity" => {
                     let (reference, exponent) = value.split_once('^').ok_or_else(bad)?;
                     let reference = reference.parse().map_err(|_| bad())?;
@@ -232,7 +222,8 @@ mod tests {
 
     #[test]
     fn text_round_trips_and_checks_ranges() {
-        let mut m = EvidenceModel { loa: Loa::Loa40, ..EvidenceModel::default() };
+        let mut m = EvidenceModel::default();
+        m.question.loa = Loa::Loa40;
         m.kind = ModelKind::Meyer2022;
         m.set("sigma_range", 0.1 + 0.2).unwrap();
         m.intensity = Some(IntensityNoise::new(1200, 1.5).unwrap());
@@ -241,7 +232,7 @@ mod tests {
         assert_eq!(EvidenceModel::read(&mut Reader::new(&bytes, "model")).unwrap(), m);
         assert_eq!(EvidenceModel::from_text(&m.to_text()).unwrap(), m);
         assert_eq!(EvidenceModel::from_text("").unwrap(), EvidenceModel::default());
-        assert_eq!(EvidenceModel::from_text("LOA20").unwrap().loa, Loa::Loa20);
+        assert_eq!(EvidenceModel::from_text("LOA20").unwrap().question.loa, Loa::Loa20);
         for bad in ["spacing", "spacing=x", "spacing=0", "spacing=nan", "model=other", "loa=LOA35", "colour=1"] {
             assert!(EvidenceModel::from_text(bad).is_err(), "{bad}");
         }

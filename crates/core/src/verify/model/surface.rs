@@ -102,7 +102,7 @@ impl BeamModel for Surface {
     }
 
     fn least_belief_of_seen(model: &EvidenceModel) -> f64 {
-        model.confidence
+        model.question.confidence
     }
 }
 

@@ -49,7 +49,7 @@ impl Body {
             coverage: trust,
             hit_share: f64::from(self.hit_share),
         };
-        let (mass, in_front) = observation.mass(model.tolerance(), 1.0);
+        let (mass, in_front) = observation.mass(model.question.tolerance(), 1.0);
         let mass = if self.has_rays { mass } else { Mass { empty: 0.0, unknown: mass.unknown + mass.empty, ..mass } };
         (mass, IN_FRONT_RELIABILITY * in_front)
     }

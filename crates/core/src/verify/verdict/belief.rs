@@ -3,7 +3,7 @@
 use crate::evidence::Mass;
 use crate::geometry::Vec3;
 use crate::verify::evidence::Evidence;
-use crate::verify::model::EvidenceModel;
+use crate::verify::model::{EvidenceModel, Question};
 use crate::verify::surface::{Body, SampleReading};
 use crate::{Interrupt, Result, poll};
 
@@ -25,13 +25,14 @@ pub struct SampleBelief {
 }
 
 impl Evidence {
-    /// Calls `visit(position, normal, belief)` for every sample, with the tolerance of `model`.
+    /// Calls `visit(position, normal, belief)` for every sample, with the tolerance asked.
     pub fn for_each_sample(
         &self,
-        model: &EvidenceModel,
+        question: &Question,
         interrupt: Interrupt,
         mut visit: impl FnMut(&Vec3, &Vec3, &SampleBelief),
     ) -> Result<()> {
+        let model = &self.asked(question);
         let mut reading = SampleReading::default();
         for (b, block) in self.samples.blocks.iter().enumerate() {
             poll(interrupt)?;

@@ -5,7 +5,7 @@ use super::judgement::Judgement;
 use super::rule::{Verdict, VerdictRule};
 use super::thresholds::MIN_WITHIN_USIBD;
 use crate::evidence::Loa;
-use crate::verify::model::{EvidenceModel, measures_deviations};
+use crate::verify::model::{EvidenceModel, Question, measures_deviations};
 use crate::verify::surface::{FittedObject, FittedSurface};
 use crate::{Interrupt, Result};
 
@@ -23,12 +23,12 @@ pub fn best_loa(
     }
     if !measures_deviations(model) {
         // Its masses do not know the tolerance.
-        return Ok((judgement.verdict() == Verdict::Confirmed).then_some(model.loa));
+        return Ok((judgement.verdict() == Verdict::Confirmed).then_some(model.question.loa));
     }
-    let rule = VerdictRule { min_confirmed: rule.min_confirmed.max(MIN_WITHIN_USIBD), ..*rule };
+    let rule = VerdictRule { min_within: rule.min_within.max(MIN_WITHIN_USIBD), ..*rule };
     for loa in Loa::ALL.into_iter().rev() {
-        let model = EvidenceModel { loa, ..*model };
-        let proven = || is_proven(fitted, loa.upper(), model.confidence);
+        let model = EvidenceModel { question: Question { loa, ..model.question }, ..*model };
+        let proven = || is_proven(fitted, loa.upper(), model.question.confidence);
         if proven() && Judgement::of(fitted, &model, &rule, interrupt)?.verdict() == Verdict::Confirmed {
             return Ok(Some(loa));
         }

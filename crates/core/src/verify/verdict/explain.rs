@@ -8,17 +8,17 @@ use super::judgement::Judgement;
 use super::reason::Reason;
 use super::rule::VerdictRule;
 use super::tally::allowed_out_of_tolerance;
-use super::thresholds::{MAX_ON_SURFACE_OF_ABSENT, MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_EMPTY, MIN_PRESENT};
+use super::thresholds::{MAX_ON_SURFACE_OF_ABSENT, MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_EMPTY};
 use crate::evidence::Loa;
 use crate::verify::evidence::Evidence;
-use crate::verify::model::{EvidenceModel, measures_deviations};
+use crate::verify::model::{EvidenceModel, Question, measures_deviations};
 use crate::verify::surface::{FittedObject, FittedSurface};
 use crate::{Interrupt, Result};
 
 impl Evidence {
     /// Why the verdict is what it is: what was seen, what that says, which threshold decided, why no finer class holds.
-    pub fn explain(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<String> {
-        let model = self.question(model);
+    pub fn explain(&self, question: &Question, rule: &VerdictRule, interrupt: Interrupt) -> Result<String> {
+        let model = self.asked(question);
         let fitted = FittedObject::of(self, &model, interrupt)?;
         let judgement = Judgement::of(&fitted, &model, rule, interrupt)?;
         let best_loa = best_loa(&fitted, &judgement, &model, rule, interrupt)?;
@@ -73,10 +73,10 @@ impl Explanation<'_> {
             "{} at {} (±{} mm), model {}, confidence {}\n\
             seen: {} of {} samples ({}) by {stations} stations; least for a verdict {}\n",
             self.judgement.verdict().name(),
-            model.loa.name(),
+            model.question.loa.name(),
             self.tolerance_mm(),
             model.kind.name(),
-            model.confidence,
+            model.question.confidence,
             totals.seen,
             totals.samples,
             percent(totals.seen, totals.samples),
@@ -85,7 +85,7 @@ impl Explanation<'_> {
     }
 
     fn tolerance_mm(&self) -> f64 {
-        self.model.tolerance() * 1e3
+        self.model.question.tolerance() * 1e3
     }
 
     fn because(&self) -> String {
@@ -114,7 +114,7 @@ impl Explanation<'_> {
             Reason::OutOfPlace => format!(
                 "{} of what is decided is in place, less than {}",
                 percent(totals.in_place(), totals.decided()),
-                percent_of(rule.min_confirmed.min(MIN_PRESENT))
+                percent_of(rule.min_present)
             ),
             Reason::TooUnsure => self.too_unsure(),
             Reason::InPlace => self.in_place(),
@@ -122,7 +122,7 @@ impl Explanation<'_> {
     }
 
     fn displaced(&self, surface: usize) -> String {
-        let (counts, within) = (&self.judgement.tally.surfaces[surface], self.rule.min_within());
+        let (counts, within) = (&self.judgement.tally.surfaces[surface], self.rule.min_within);
         format!(
             "{} of {} keeps ±{} mm, less than {} (less {} for chance)",
             percent_of(1.0 - counts.out_of_tolerance as f64 / counts.on_surface.max(1) as f64),
@@ -160,7 +160,7 @@ impl Explanation<'_> {
             places, but for chance",
             percent(totals.in_place(), totals.decided()),
             self.tolerance_mm(),
-            percent_of(self.rule.min_within())
+            percent_of(self.rule.min_within)
         )
     }
 
@@ -193,7 +193,7 @@ impl Explanation<'_> {
                 finer.upper() * 1e3,
                 worst.holds(finer.upper()),
                 whole.holds(finer.upper()),
-                self.model.confidence
+                self.model.question.confidence
             );
         }
         out

@@ -4,7 +4,7 @@ use super::counts::Counts;
 use super::thresholds::IN_FRONT_SHARE;
 use crate::geometry::Vec3;
 use crate::verify::evidence::Evidence;
-use crate::verify::model::EvidenceModel;
+use crate::verify::model::{EvidenceModel, Question};
 use crate::verify::surface::{FittedFace, FittedObject};
 use crate::{Interrupt, Result, poll, poll_now_and_then};
 
@@ -46,20 +46,20 @@ impl FaceReport {
 fn count(number: usize, fitted: &FittedObject, model: &EvidenceModel, interrupt: Interrupt) -> Result<Counts> {
     let FittedFace { samples, with_surface, .. } = fitted.faces[number];
     let mut counts = Counts { samples, with_surface, ..Counts::default() };
-    let tolerance = model.tolerance();
+    let tolerance = model.question.tolerance();
     let observations = &fitted.observations;
     let run = observations.faces[number].clone();
     for (i, (s, on_surface)) in observations.seen[run.clone()].iter().zip(&fitted.on_surface[run]).enumerate() {
         poll_now_and_then(i, interrupt)?;
         let (mass, in_front) = observations.mass(s, model);
         // A surface in front of the face is no refutation by itself: furniture. One that is the face is.
-        let moved = on_surface.is_some() && in_front >= IN_FRONT_SHARE * model.confidence;
-        let refuted = moved || mass.empty >= model.confidence;
+        let moved = on_surface.is_some() && in_front >= IN_FRONT_SHARE * model.question.confidence;
+        let refuted = moved || mass.empty >= model.question.confidence;
         counts.seen += 1;
         counts.conflict += f64::from(s.conflict);
         counts.refuted += u64::from(refuted);
         counts.pierced += u64::from(refuted && !on_surface.is_some());
-        counts.confirmed += u64::from(!refuted && mass.occupied >= model.confidence);
+        counts.confirmed += u64::from(!refuted && mass.occupied >= model.question.confidence);
         counts.on_surface += u64::from(on_surface.is_some());
         counts.out_of_tolerance += u64::from(on_surface.get().is_some_and(|d| f64::from(d.abs()) > tolerance));
     }
@@ -68,8 +68,8 @@ fn count(number: usize, fitted: &FittedObject, model: &EvidenceModel, interrupt:
 
 impl Evidence {
     /// Every face as judged at the level of accuracy and confidence of `model`.
-    pub fn faces(&self, model: &EvidenceModel, interrupt: Interrupt) -> Result<Vec<FaceReport>> {
-        let model = self.question(model);
+    pub fn faces(&self, question: &Question, interrupt: Interrupt) -> Result<Vec<FaceReport>> {
+        let model = self.asked(question);
         FaceReport::all(&FittedObject::of(self, &model, interrupt)?, &model, interrupt)
     }
 }

@@ -76,17 +76,19 @@ mod tests {
         // What stands before the wall hides its half with y > 0 from everywhere.
         let half = |_: &Vec3, p: &Vec3| p.y < 0.0;
         let e = Evidence::expected(&wall, model, &[station(0.0)], half, NEVER).unwrap();
-        let s = e.summary(&model, &VerdictRule::default(), NEVER).unwrap();
+        let s = e.summary(&model.question, &VerdictRule::default(), NEVER).unwrap();
         let seen = 0.5 * 4.0 * 2.5 / wall.area();
         assert!((s.coverage - seen).abs() < 0.01, "{} {seen}", s.coverage);
         assert_eq!((s.verdict, s.best_loa), (Verdict::Confirmed, Some(Loa::Loa40)));
         let both = Evidence::expected(&wall, model, &[station(0.0), station(10.0)], half, NEVER).unwrap();
-        assert!((both.summary(&model, &VerdictRule::default(), NEVER).unwrap().coverage - 2.0 * seen).abs() < 0.02);
+        assert!(
+            (both.summary(&model.question, &VerdictRule::default(), NEVER).unwrap().coverage - 2.0 * seen).abs() < 0.02
+        );
         let none = Evidence::expected(&wall, model, &[station(0.0)], |_, _| false, NEVER).unwrap();
         assert!(none.stations().is_empty());
         // Registered to 5 mm, one station proves LOA30 (1.96 σ < 15 mm) and no more.
         let rough = EvidenceModel { sigma_station: 0.005, ..model };
         let e = Evidence::expected(&wall, rough, &[station(0.0)], half, NEVER).unwrap();
-        assert_eq!(e.summary(&rough, &VerdictRule::default(), NEVER).unwrap().best_loa, Some(Loa::Loa30));
+        assert_eq!(e.summary(&rough.question, &VerdictRule::default(), NEVER).unwrap().best_loa, Some(Loa::Loa30));
     }
 }

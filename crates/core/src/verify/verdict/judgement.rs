@@ -3,9 +3,9 @@
 use super::reason::Reason;
 use super::rule::{Verdict, VerdictRule};
 use super::tally::Tally;
-use super::thresholds::{MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_PRESENT};
+use super::thresholds::{MIN_CONFIRMED_OF_SEEN, MIN_DECIDED};
 use crate::verify::evidence::Evidence;
-use crate::verify::model::{EvidenceModel, measures_deviations};
+use crate::verify::model::{EvidenceModel, Question, measures_deviations};
 use crate::verify::surface::FittedObject;
 use crate::{Interrupt, Result};
 
@@ -57,7 +57,7 @@ fn decide(tally: &Tally, measures_deviations: bool, rule: &VerdictRule) -> Reaso
     if let Some(surface) = tally.surfaces.iter().position(|s| tally.is_mostly_seen_through(s)) {
         return Reason::SeenThrough(surface);
     }
-    if (totals.in_place() as f64) < rule.min_confirmed.min(MIN_PRESENT) * decided {
+    if (totals.in_place() as f64) < rule.min_present * decided {
         return Reason::OutOfPlace;
     }
     // Too rough or too noisy for this tolerance; a model that measures no deviations leaves most open by its nature.
@@ -67,8 +67,8 @@ fn decide(tally: &Tally, measures_deviations: bool, rule: &VerdictRule) -> Reaso
 
 impl Evidence {
     /// The verdict at the level of accuracy and confidence of `model`.
-    pub fn verdict(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Verdict> {
-        let model = self.question(model);
+    pub fn verdict(&self, question: &Question, rule: &VerdictRule, interrupt: Interrupt) -> Result<Verdict> {
+        let model = self.asked(question);
         let fitted = FittedObject::of(self, &model, interrupt)?;
         Ok(Judgement::of(&fitted, &model, rule, interrupt)?.verdict())
     }

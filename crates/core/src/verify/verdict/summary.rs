@@ -6,7 +6,7 @@ use super::judgement::Judgement;
 use super::rule::{Verdict, VerdictRule};
 use crate::evidence::Loa;
 use crate::verify::evidence::Evidence;
-use crate::verify::model::EvidenceModel;
+use crate::verify::model::Question;
 use crate::verify::surface::{FittedObject, Shift, shift_of};
 use crate::{Interrupt, Result};
 
@@ -56,8 +56,8 @@ impl Shares {
 
 impl Evidence {
     /// Verdict, shares, deviation, rigid offset and best level of accuracy.
-    pub fn summary(&self, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Summary> {
-        let model = self.question(model);
+    pub fn summary(&self, question: &Question, rule: &VerdictRule, interrupt: Interrupt) -> Result<Summary> {
+        let model = self.asked(question);
         let fitted = FittedObject::of(self, &model, interrupt)?;
         let judgement = Judgement::of(&fitted, &model, rule, interrupt)?;
         let (totals, stands) = (&judgement.tally.totals, judgement.stands(rule));

@@ -39,11 +39,11 @@ impl Tally {
             }
         }
         Ok(Self {
-            displaced: displaced(&surfaces, &totals, fitted, rule.min_within()),
+            displaced: displaced(&surfaces, &totals, fitted, rule.min_within),
             faces,
             totals,
             surfaces,
-            known_to_hold: fitted.whole.is_known_to_hold(model.tolerance()),
+            known_to_hold: fitted.whole.is_known_to_hold(model.question.tolerance()),
             is_slim: fitted.is_slim,
             in_front_unexplained: fitted.in_front_unexplained,
         })
