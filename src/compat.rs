@@ -4,8 +4,8 @@
 use asbuilt_core::Result;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::num::bytes::Reader;
-use asbuilt_core::uncertain::Point;
+use asbuilt_core::num::bytes::ByteReader;
+use asbuilt_core::uncertain::UncertainPoint;
 use asbuilt_core::verify::{EvidenceModel, Shift, Summary};
 
 use crate::aggregates::evidence::{Gathering, absorb_patch, absorb_tie_point};
@@ -21,7 +21,7 @@ fn fixed(m: &EvidenceModel) -> Result<SqlValue> {
 }
 
 fn parse(bytes: &[u8]) -> Result<EvidenceModel> {
-    let mut r = Reader::new(bytes, "ab_evidence_model_010");
+    let mut r = ByteReader::new(bytes, "ab_evidence_model_010");
     let model = EvidenceModel::read(&mut r)?;
     r.finish()?;
     Ok(model)
@@ -59,7 +59,7 @@ mod evidence {
         }
 
         fn ab_evidence_accum_point(
-            state: Gathering, solid: Option<SolidArg>, point: Option<Point>, cameras: Option<F64Array>,
+            state: Gathering, solid: Option<SolidArg>, point: Option<UncertainPoint>, cameras: Option<F64Array>,
             model: Option<FixedModel>,
         ) {
             absorb_tie_point(state, solid, point, cameras, || or_default(model))

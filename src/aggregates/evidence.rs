@@ -2,7 +2,7 @@
 
 use asbuilt_core::error::Mismatch;
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::uncertain::Point;
+use asbuilt_core::uncertain::UncertainPoint;
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel};
 use asbuilt_core::{Error, Result};
 
@@ -100,7 +100,7 @@ pub fn absorb_patch(
 pub fn absorb_tie_point(
     mut state: Gathering,
     solid: Option<SolidArg>,
-    point: Option<Point>,
+    point: Option<UncertainPoint>,
     cameras: Option<F64Array>,
     model: impl FnOnce() -> Result<EvidenceModel>,
 ) -> Result<SqlValue> {
@@ -128,7 +128,7 @@ sql_functions! {
     }
 
     fn ab_model_accum_point(
-        state: Gathering, solid: Option<SolidArg>, point: Option<Point>, cameras: Option<F64Array>,
+        state: Gathering, solid: Option<SolidArg>, point: Option<UncertainPoint>, cameras: Option<F64Array>,
         model: Option<ModelArg>,
     ) {
         absorb_tie_point(state, solid, point, cameras, || model_or_default(model.as_ref()))

@@ -1,7 +1,7 @@
 //! `ab_line_agg` and `ab_plane_agg`: best fits through points.
 
 use asbuilt_core::error::Limited;
-use asbuilt_core::uncertain::{Point, Stored, fit};
+use asbuilt_core::uncertain::{Stored, UncertainPoint, fit};
 use asbuilt_core::{Error, Grow, Interrupt, Result};
 
 use crate::pg::{AggState, Backend, Bytea, Internal, SqlValue, StateOrNew, Varlena, deserialised_state, sql_functions};
@@ -12,7 +12,7 @@ const MAX_POINTS: usize = 2_000_000;
 /// Bytes of one point as exchanged between workers.
 const POINT_LEN: usize = 72;
 
-fn check(points: &[Point]) -> Result<()> {
+fn check(points: &[UncertainPoint]) -> Result<()> {
     if points.len() <= MAX_POINTS {
         return Ok(());
     }
@@ -22,8 +22,8 @@ fn check(points: &[Point]) -> Result<()> {
 
 /// What `fit` makes of the points; NULL where there is none.
 fn fitted<T: Stored<N> + Copy, const N: usize>(
-    state: Option<AggState<Vec<Point>>>,
-    fit: fn(&[Point], Interrupt) -> Result<T>,
+    state: Option<AggState<Vec<UncertainPoint>>>,
+    fit: fn(&[UncertainPoint], Interrupt) -> Result<T>,
 ) -> Result<SqlValue> {
     let Some(mut state) = state else { return Ok(SqlValue::Null) };
     let points = state.get();
@@ -31,7 +31,7 @@ fn fitted<T: Stored<N> + Copy, const N: usize>(
 }
 
 sql_functions! {
-    fn ab_points_accum(state: StateOrNew<Vec<Point>>, point: Option<Point>) {
+    fn ab_points_accum(state: StateOrNew<Vec<UncertainPoint>>, point: Option<UncertainPoint>) {
         let mut state = state.0;
         if let Some(point) = point {
             state.get().grow(1, &Backend)?;
@@ -41,7 +41,7 @@ sql_functions! {
         Ok(state.ret())
     }
 
-    fn ab_points_combine(left: StateOrNew<Vec<Point>>, right: Option<AggState<Vec<Point>>>) {
+    fn ab_points_combine(left: StateOrNew<Vec<UncertainPoint>>, right: Option<AggState<Vec<UncertainPoint>>>) {
         let mut left = left.0;
         if let Some(mut right) = right {
             left.get().grow(right.get().len(), &Backend)?;
@@ -51,9 +51,9 @@ sql_functions! {
         Ok(left.ret())
     }
 
-    fn ab_points_serial(state: AggState<Vec<Point>>) {
+    fn ab_points_serial(state: AggState<Vec<UncertainPoint>>) {
         let mut state = state;
-        let numbers = state.get().iter().flat_map(Point::to_numbers);
+        let numbers = state.get().iter().flat_map(UncertainPoint::to_numbers);
         Ok(SqlValue::Bytes(numbers.flat_map(f64::to_ne_bytes).collect()))
     }
 
@@ -63,14 +63,14 @@ sql_functions! {
             return Err(Error::binary("the state of a fit", "a point is cut short"));
         }
         let point = |row: &[u8; POINT_LEN]| {
-            Point::from_stored(&std::array::from_fn(|i| {
+            UncertainPoint::from_stored(&std::array::from_fn(|i| {
                 f64::from_ne_bytes(std::array::from_fn(|k| row[8 * i + k]))
             }))
         };
-        Ok(deserialised_state(rows.iter().map(point).collect::<Vec<Point>>()).ret())
+        Ok(deserialised_state(rows.iter().map(point).collect::<Vec<UncertainPoint>>()).ret())
     }
 
-    fn ab_line_fit(state: Option<AggState<Vec<Point>>>) { fitted(state, fit::line) }
+    fn ab_line_fit(state: Option<AggState<Vec<UncertainPoint>>>) { fitted(state, fit::line) }
 
-    fn ab_plane_fit(state: Option<AggState<Vec<Point>>>) { fitted(state, fit::plane) }
+    fn ab_plane_fit(state: Option<AggState<Vec<UncertainPoint>>>) { fitted(state, fit::plane) }
 }

@@ -1,6 +1,6 @@
 //! `ab_combine_agg`: any number of masses by one rule.
 
-use asbuilt_core::evidence::{Mass, Pool, Rule};
+use asbuilt_core::evidence::{CombinationRule, Mass, Pool};
 
 use crate::pg::{AggState, Bytea, Internal, SqlValue, Varlena, deserialised_state, sql_functions, state_or_new};
 use crate::types::mass_ret;
@@ -15,7 +15,7 @@ fn unchanged(state: Option<State>) -> SqlValue {
 sql_functions! {
     /// A NULL mass adds nothing.
     fn ab_combine_accum(call: Call; state: Option<State>, mass: Option<Mass>) {
-        let mut state = state_or_new(call, state, || Pool::new(Rule::Dempster))?;
+        let mut state = state_or_new(call, state, || Pool::new(CombinationRule::Dempster))?;
         if let Some(mass) = mass {
             state.get().add(&mass)?;
         }
@@ -29,7 +29,7 @@ sql_functions! {
         let (Some(mut mass), Some(rule), true) = (mass, rule, call.len() == 3 || reliability.is_some()) else {
             return Ok(unchanged(state));
         };
-        let rule = Rule::parse(&rule)?;
+        let rule = CombinationRule::parse(&rule)?;
         let mut state = state_or_new(call, state, || Pool::new(rule))?;
         if let Some(reliability) = reliability {
             mass = mass.discount(reliability)?;

@@ -2,8 +2,8 @@
 
 use asbuilt_core::geometry::split::{penalty, split};
 use asbuilt_core::geometry::{Aabb, Solid, hilbert};
-use asbuilt_core::scan::Header;
-use asbuilt_core::uncertain::{Line, Point, Stored};
+use asbuilt_core::scan::PatchHeader;
+use asbuilt_core::uncertain::{Stored, UncertainLine, UncertainPoint};
 use asbuilt_core::voxel::TileHeader;
 
 use crate::pg::{
@@ -88,7 +88,7 @@ sql_functions! {
     }
 
     fn ab_gist_scan_compress(entry: Entry) {
-        entry.compressed(Header::LEN, |bytes| Ok(box_bytes(&Header::read(bytes)?.hull)))
+        entry.compressed(PatchHeader::LEN, |bytes| Ok(box_bytes(&PatchHeader::read(bytes)?.hull)))
     }
 
     fn ab_gist_solid_compress(entry: Entry) {
@@ -100,11 +100,11 @@ sql_functions! {
     }
 
     fn ab_gist_point_compress(entry: Entry) {
-        entry.compressed_fixed(|n: &[f64; 9]| box_bytes(&Point::from_stored(n).bounds(INDEX_SIGMAS)))
+        entry.compressed_fixed(|n: &[f64; 9]| box_bytes(&UncertainPoint::from_stored(n).bounds(INDEX_SIGMAS)))
     }
 
     fn ab_gist_line_compress(entry: Entry) {
-        entry.compressed_fixed(|n: &[f64; 27]| box_bytes(&Line::from_stored(n).bounds(INDEX_SIGMAS)))
+        entry.compressed_fixed(|n: &[f64; 27]| box_bytes(&UncertainLine::from_stored(n).bounds(INDEX_SIGMAS)))
     }
 
     fn ab_gist_penalty(key: Entry, new: Entry, result: Answer<f32>) {

@@ -5,7 +5,7 @@ use std::marker::PhantomData;
 use asbuilt_core::Result;
 use asbuilt_core::evidence::Mass;
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::uncertain::{Line, Plane, Point, Pose, Stored};
+use asbuilt_core::uncertain::{Stored, UncertainLine, UncertainPlane, UncertainPoint, UncertainPose};
 use asbuilt_core::verify::EvidenceModel;
 
 use super::{Args, FromArg};
@@ -63,7 +63,7 @@ macro_rules! uncertain {
 }
 
 plain! { Aabb, 6; Mass, 3; }
-uncertain! { Point, 9; Line, 27; Plane, 16; Pose, 36; }
+uncertain! { UncertainPoint, 9; UncertainLine, 27; UncertainPlane, 16; UncertainPose, 36; }
 
 /// The numbers of a `T`, as they are stored.
 #[derive(Debug)]

@@ -2,7 +2,7 @@
 //! `<@` will find.
 
 use asbuilt_core::Result;
-use asbuilt_core::geometry::{Aabb, BoxStatistics, Relation};
+use asbuilt_core::geometry::{Aabb, BoxRelation, BoxStatistics};
 use asbuilt_core::scan::JOIN_MARGIN_M;
 
 use crate::pg::{
@@ -47,20 +47,20 @@ fn margin(a: Option<&str>, b: Option<&str>) -> f64 {
     if pair.contains(&Some("ab_point")) && pair.contains(&Some("ab_solid")) { JOIN_MARGIN_M } else { 0.0 }
 }
 
-fn mirrored(relation: Relation) -> Relation {
+fn mirrored(relation: BoxRelation) -> BoxRelation {
     match relation {
-        Relation::Overlaps => Relation::Overlaps,
-        Relation::Contains => Relation::Contained,
-        Relation::Contained => Relation::Contains,
+        BoxRelation::Overlaps => BoxRelation::Overlaps,
+        BoxRelation::Contains => BoxRelation::Contained,
+        BoxRelation::Contained => BoxRelation::Contains,
     }
 }
 
-fn share_of_rows(args: &Args, relation: Relation) -> Result<SqlValue> {
+fn share_of_rows(args: &Args, relation: BoxRelation) -> Result<SqlValue> {
     let share = restriction(args).map_or(UNKNOWN, |r| restricted(&r, relation).unwrap_or(UNKNOWN));
     Ok(SqlValue::F64(share))
 }
 
-fn restricted(r: &Restriction, relation: Relation) -> Option<f64> {
+fn restricted(r: &Restriction, relation: BoxRelation) -> Option<f64> {
     let own = statistics(&r.column)?;
     let name = r.column.type_name.as_deref();
     let relation = if r.column_on_left { relation } else { mirrored(relation) };
@@ -79,7 +79,7 @@ fn restricted(r: &Restriction, relation: Relation) -> Option<f64> {
     Some(share * r.column.present)
 }
 
-fn share_of_pairs(args: &Args, relation: Relation) -> Result<SqlValue> {
+fn share_of_pairs(args: &Args, relation: BoxRelation) -> Result<SqlValue> {
     let j = join(args);
     let known = statistics(&j.left).zip(statistics(&j.right)).map(|(left, right)| {
         let margin = margin(j.left.type_name.as_deref(), j.right.type_name.as_deref());
@@ -94,22 +94,22 @@ sql_functions! {
     fn ab_typanalyze(call: Call; column: Internal) { Ok(analysed_by::<Boxes>(call)) }
 
     fn ab_overlap_sel(call: Call; root: Internal, operator: Oid, list: Internal, relation: i32) {
-        share_of_rows(call, Relation::Overlaps)
+        share_of_rows(call, BoxRelation::Overlaps)
     }
     fn ab_contains_sel(call: Call; root: Internal, operator: Oid, list: Internal, relation: i32) {
-        share_of_rows(call, Relation::Contains)
+        share_of_rows(call, BoxRelation::Contains)
     }
     fn ab_contained_sel(call: Call; root: Internal, operator: Oid, list: Internal, relation: i32) {
-        share_of_rows(call, Relation::Contained)
+        share_of_rows(call, BoxRelation::Contained)
     }
 
     fn ab_overlap_join_sel(call: Call; root: Internal, operator: Oid, list: Internal, kind: i16, join: Internal) {
-        share_of_pairs(call, Relation::Overlaps)
+        share_of_pairs(call, BoxRelation::Overlaps)
     }
     fn ab_contains_join_sel(call: Call; root: Internal, operator: Oid, list: Internal, kind: i16, join: Internal) {
-        share_of_pairs(call, Relation::Contains)
+        share_of_pairs(call, BoxRelation::Contains)
     }
     fn ab_contained_join_sel(call: Call; root: Internal, operator: Oid, list: Internal, kind: i16, join: Internal) {
-        share_of_pairs(call, Relation::Contained)
+        share_of_pairs(call, BoxRelation::Contained)
     }
 }

@@ -1,14 +1,14 @@
 //! The belief calculus on `ab_mass`: rules, measures, decisions.
 
 use asbuilt_core::Error;
-use asbuilt_core::evidence::{Criterion, Hypothesis, Mass, Rule};
+use asbuilt_core::evidence::{CombinationRule, Criterion, Hypothesis, Mass};
 
 use super::mass_ret;
 use crate::pg::{SqlValue, sql_functions};
 
 sql_functions! {
     fn ab_mass_combine_by(m1: Mass, m2: Mass, rule: String) {
-        mass_ret(&Rule::parse(&rule)?.combine(&m1, &m2)?)
+        mass_ret(&CombinationRule::parse(&rule)?.combine(&m1, &m2)?)
     }
 
     fn ab_mass_contradiction(mass: Mass) { Ok(SqlValue::F64(mass.contradiction())) }

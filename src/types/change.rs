@@ -1,7 +1,7 @@
 //! `ab_change`: core's byte form, on disk and on the wire; in hexadecimal as text; and the functions on it.
 
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::voxel::{Change, Class, Settings, TileHeader};
+use asbuilt_core::voxel::{Change, ChangeClass, ChangeSettings, TileHeader};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
@@ -49,11 +49,11 @@ sql_functions! {
     fn ab_change_clip(change: ChangeArg, tile: Aabb) { ret(&change.read()?.clipped(&tile, &Backend)?) }
 
     fn ab_change_between(old: OccupancyArg, new: OccupancyArg, threshold: i32, tolerance: Option<f64>) {
-        let threshold = Settings::threshold(threshold)?;
+        let threshold = ChangeSettings::threshold(threshold)?;
         let (old, new) = (old.read()?, new.read()?);
         let margin = old.grid().margin.max(new.grid().margin).min(8.0 * new.grid().voxel);
         let tolerance = tolerance.unwrap_or(margin);
-        ret(&Change::between(&old, &new, Settings { threshold, tolerance }, &Backend)?)
+        ret(&Change::between(&old, &new, ChangeSettings { threshold, tolerance }, &Backend)?)
     }
 
     fn ab_change_rollup(c1: Option<ChangeArg>, c2: Option<ChangeArg>) {
@@ -82,9 +82,11 @@ sql_functions! {
     }
 
     fn ab_change_voxels(rows: Rows; change: ChangeArg, classes: Option<TextArray>) {
-        let classes: Vec<Class> = match classes {
-            None => Class::ALL.to_vec(),
-            Some(classes) => classes.words("the classes")?.iter().map(|w| Class::parse(w)).collect::<Result<_>>()?,
+        let classes: Vec<ChangeClass> = match classes {
+            None => ChangeClass::ALL.to_vec(),
+            Some(classes) => {
+                classes.words("the classes")?.iter().map(|w| ChangeClass::parse(w)).collect::<Result<_>>()?
+            }
         };
         let change = change.read()?;
         change.for_each(&Backend, |voxel, class| {
@@ -100,8 +102,8 @@ sql_functions! {
         rows: Rows; change: ChangeArg, class: Option<String>, min_voxels: i32, gap: Option<f64>
     ) {
         let classes = match class {
-            None => vec![Class::New, Class::Disappeared],
-            Some(class) => vec![Class::parse(&class)?],
+            None => vec![ChangeClass::New, ChangeClass::Disappeared],
+            Some(class) => vec![ChangeClass::parse(&class)?],
         };
         let Ok(least) = u64::try_from(min_voxels) else {
             return Err(Error::argument("the least number of voxels", "0 or more", min_voxels));

@@ -1,7 +1,7 @@
 //! `ab_occupancy`: core's byte form, on disk and on the wire; in hexadecimal as text; and the functions on it.
 
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::voxel::{Grid, Mask, Occupancy, Rule, Settings, State, TileHeader};
+use asbuilt_core::voxel::{ChangeSettings, FillRule, Grid, Occupancy, TileHeader, VoxelSet, VoxelState};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
@@ -41,12 +41,12 @@ pub fn occupancy_ret(occupancy: &Occupancy) -> Result<SqlValue> {
 
 /// The voxels of a grid, and within `margin` metres around its tile, that a solid touches; for an open
 /// solid those of its surface.
-pub fn cover(solid: &SolidArg, grid: &Grid, margin: f64) -> Result<Mask> {
+pub fn cover(solid: &SolidArg, grid: &Grid, margin: f64) -> Result<VoxelSet> {
     let tile = grid.tile.expanded(margin + grid.voxel);
     let grid = &Grid { tile, ..*grid };
     let solid = solid.read()?;
-    let rule = if solid.volume().is_ok() { Rule::Cover } else { Rule::Surface };
-    Mask::of(&solid, grid, rule, &Backend)
+    let rule = if solid.volume().is_ok() { FillRule::Cover } else { FillRule::Surface };
+    VoxelSet::of(&solid, grid, rule, &Backend)
 }
 
 /// Number of voxels of the tile; `None` for an unbounded tile.
@@ -94,17 +94,18 @@ sql_functions! {
     fn ab_occupancy_state(occupancy: OccupancyArg, x: f64, y: f64, z: f64, threshold: i32) {
         let point = [x, y, z].into();
         let header = occupancy.header()?;
-        let (voxel, threshold) = (header.grid.index(&point)?, Settings::threshold(threshold)?);
+        let (voxel, threshold) = (header.grid.index(&point)?, ChangeSettings::threshold(threshold)?);
         Ok(SqlValue::text(occupancy.read()?.state(voxel, threshold).name()))
     }
 
     fn ab_occupancy_voxels(rows: Rows; occupancy: OccupancyArg, states: TextArray, threshold: i32) {
-        let states: Vec<State> = states.words("the states")?.iter().map(|w| State::parse(w)).collect::<Result<_>>()?;
-        if states.contains(&State::Unknown) {
+        let states = states.words("the states")?;
+        let states: Vec<VoxelState> = states.iter().map(|w| VoxelState::parse(w)).collect::<Result<_>>()?;
+        if states.contains(&VoxelState::Unknown) {
             return Err(Error::argument("a state", "occupied, ambiguous or empty: unknown space has no end", "unknown"));
         }
         let occupancy = occupancy.read()?;
-        occupancy.for_each(Settings::threshold(threshold)?, &Backend, |voxel, state, hits| {
+        occupancy.for_each(ChangeSettings::threshold(threshold)?, &Backend, |voxel, state, hits| {
             if states.contains(&state) {
                 let centre = occupancy.grid().centre(voxel);
                 let place = [0, 1, 2].map(|i| Field::F64(centre[i]));
@@ -119,12 +120,12 @@ sql_functions! {
         let Some(axis) = ["x", "y", "z"].iter().position(|a| *a == name) else {
             return Err(Error::argument("the axis", "x, y or z", name));
         };
-        let slice = occupancy.read()?.slice(axis, at, Settings::threshold(threshold)?, &Backend)?;
+        let slice = occupancy.read()?.slice(axis, at, ChangeSettings::threshold(threshold)?, &Backend)?;
         Ok(SqlValue::I32Array(slice.states, vec![slice.rows as i32, slice.columns as i32]))
     }
 
     fn ab_occupancy_summary(occupancy: OccupancyArg, threshold: i32, solid: Option<SolidArg>) {
-        let (occupancy, threshold) = (occupancy.read()?, Settings::threshold(threshold)?);
+        let (occupancy, threshold) = (occupancy.read()?, ChangeSettings::threshold(threshold)?);
         let mask = solid.map(|s| cover(&s, occupancy.grid(), 0.0)).transpose()?;
         let tally = occupancy.tally(threshold, mask.as_ref(), &Backend)?;
         let known = tally.occupied + tally.ambiguous + tally.empty;
@@ -145,7 +146,7 @@ sql_functions! {
         let Some(count) = u32::try_from(neighbours).ok().filter(|n| *n <= 26) else {
             return Err(Error::argument("the number of neighbours", "from 0 to 26", neighbours));
         };
-        let threshold = Settings::threshold(threshold)?;
+        let threshold = ChangeSettings::threshold(threshold)?;
         occupancy_ret(&occupancy.read()?.denoised(count, threshold, &Backend)?)
     }
 

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::cmp::Ordering;
 
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::scan::{Header, Patch};
+use asbuilt_core::scan::{Patch, PatchHeader};
 use asbuilt_core::verify::Evidence;
 use asbuilt_core::voxel::{Change, Occupancy};
 use asbuilt_core::{Budget, Error, Result};
@@ -25,7 +25,7 @@ fn current(bytes: &[u8]) -> Result<Cow<'_, [u8]>> {
         _ => return Err(Error::corrupted("a value", "it is cut short")),
     };
     Ok(match letter {
-        b'P' if version < Header::VERSION => Patch::from_bytes(bytes)?.to_bytes().into(),
+        b'P' if version < PatchHeader::VERSION => Patch::from_bytes(bytes)?.to_bytes().into(),
         b'S' if version < Solid::VERSION => Solid::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
         b'E' if version < Evidence::VERSION => Evidence::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
         b'O' if version < Occupancy::VERSION => Occupancy::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),

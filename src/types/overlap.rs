@@ -3,7 +3,7 @@
 use asbuilt_core::Result;
 use asbuilt_core::geometry::Aabb;
 use asbuilt_core::scan::JOIN_MARGIN_M;
-use asbuilt_core::uncertain::{Line, Point};
+use asbuilt_core::uncertain::{UncertainLine, UncertainPoint};
 use asbuilt_core::voxel::TileHeader;
 
 use super::scan::ScanArg;
@@ -32,18 +32,18 @@ pub fn of_scan(patch: &ScanArg) -> Result<Aabb> {
 }
 
 /// A point grown by [`INDEX_SIGMAS`].
-pub fn of_point(point: &Point) -> Result<Aabb> {
+pub fn of_point(point: &UncertainPoint) -> Result<Aabb> {
     Ok(point.bounds(INDEX_SIGMAS))
 }
 
 /// A point at its coordinates, however uncertain.
-pub fn place(point: &Point) -> Aabb {
+pub fn place(point: &UncertainPoint) -> Aabb {
     let at = point.position.into();
     Aabb { min: at, max: at }
 }
 
 /// A line grown by [`INDEX_SIGMAS`].
-pub fn of_line(line: &Line) -> Result<Aabb> {
+pub fn of_line(line: &UncertainLine) -> Result<Aabb> {
     Ok(line.bounds(INDEX_SIGMAS))
 }
 
@@ -75,13 +75,13 @@ sql_functions! {
     fn ab_overlaps_scan_solid(a: ScanArg, b: SolidArg) { overlaps(of_scan(&a), of_solid(&b)) }
     fn ab_overlaps_scan_scan(a: ScanArg, b: ScanArg) { overlaps(of_scan(&a), of_scan(&b)) }
 
-    fn ab_overlaps_solid_point(a: SolidArg, b: Point) { overlaps(near_solid(&a), of_point(&b)) }
-    fn ab_overlaps_point_solid(a: Point, b: SolidArg) { overlaps(of_point(&a), near_solid(&b)) }
-    fn ab_overlaps_point_box(a: Point, b: Aabb) { overlaps(of_point(&a), Ok(b)) }
-    fn ab_overlaps_point_point(a: Point, b: Point) { overlaps(of_point(&a), of_point(&b)) }
-    fn ab_overlaps_line_box(a: Line, b: Aabb) { overlaps(of_line(&a), Ok(b)) }
-    fn ab_overlaps_box_point(a: Aabb, b: Point) { overlaps(Ok(a), of_point(&b)) }
-    fn ab_overlaps_box_line(a: Aabb, b: Line) { overlaps(Ok(a), of_line(&b)) }
+    fn ab_overlaps_solid_point(a: SolidArg, b: UncertainPoint) { overlaps(near_solid(&a), of_point(&b)) }
+    fn ab_overlaps_point_solid(a: UncertainPoint, b: SolidArg) { overlaps(of_point(&a), near_solid(&b)) }
+    fn ab_overlaps_point_box(a: UncertainPoint, b: Aabb) { overlaps(of_point(&a), Ok(b)) }
+    fn ab_overlaps_point_point(a: UncertainPoint, b: UncertainPoint) { overlaps(of_point(&a), of_point(&b)) }
+    fn ab_overlaps_line_box(a: UncertainLine, b: Aabb) { overlaps(of_line(&a), Ok(b)) }
+    fn ab_overlaps_box_point(a: Aabb, b: UncertainPoint) { overlaps(Ok(a), of_point(&b)) }
+    fn ab_overlaps_box_line(a: Aabb, b: UncertainLine) { overlaps(Ok(a), of_line(&b)) }
 
     fn ab_overlaps_tile_box(a: TileArg, b: Aabb) { overlaps(of_tile(&a), Ok(b)) }
     fn ab_overlaps_box_tile(a: Aabb, b: TileArg) { overlaps(Ok(a), of_tile(&b)) }

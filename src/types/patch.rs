@@ -2,7 +2,7 @@
 
 use asbuilt_core::geometry::Aabb;
 use asbuilt_core::scan::{Origins, Patch};
-use asbuilt_core::uncertain::Pose;
+use asbuilt_core::uncertain::UncertainPose;
 use asbuilt_core::{Error, Result};
 
 use super::scan::ScanArg;
@@ -67,7 +67,7 @@ sql_functions! {
 
     fn ab_scan_thin(patch: ScanArg, spacing: f64) { or_null(Patch::thinned(patch.bytes(), spacing)?) }
 
-    fn ab_transform_scan(patch: ScanArg, pose: Pose) {
+    fn ab_transform_scan(patch: ScanArg, pose: UncertainPose) {
         Ok(SqlValue::Bytes(Patch::moved(patch.bytes(), &pose)?.to_bytes()))
     }
 

@@ -2,7 +2,7 @@
 
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::verify::Place;
+use asbuilt_core::verify::StationOrigin;
 
 use super::evidence::EvidenceArg;
 use super::mass_bytes;
@@ -55,7 +55,7 @@ sql_functions! {
         let Some(evidence) = evidence else { return Ok(SqlValue::Null) };
         let e = evidence.read()?;
         for c in e.contributions(&Backend)? {
-            let origin = if let Place::At(origin) = &c.place { vector(origin) } else { Field::Null };
+            let origin = if let StationOrigin::At(origin) = &c.place { vector(origin) } else { Field::Null };
             rows.push(&[Field::I64(c.station), origin, Field::I64(c.seen as i64), Field::I64(c.added as i64)]);
         }
         Ok(SqlValue::Null)

@@ -1,7 +1,7 @@
 //! `ab_scan`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Beams, Header, Origins, Patch, PatchSpec, check_count};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchHeader, PatchSpec, check_count};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
@@ -17,8 +17,8 @@ pub type ScanArg<'a> = Varlena<'a, Patch>;
 
 impl ScanArg<'_> {
     /// Its header alone.
-    pub fn header(&self) -> Result<Header> {
-        Header::read(self.prefix(Header::LEN))
+    pub fn header(&self) -> Result<PatchHeader> {
+        PatchHeader::read(self.prefix(PatchHeader::LEN))
     }
 }
 

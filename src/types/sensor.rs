@@ -2,7 +2,7 @@
 
 use asbuilt_core::evidence::{RayModel, SurfaceObservation};
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::uncertain::Point;
+use asbuilt_core::uncertain::UncertainPoint;
 use asbuilt_core::{Error, Result};
 
 use super::mass_ret;
@@ -23,7 +23,7 @@ sql_functions! {
         mass_ret(&RayModel::new(kappa, lambda, c)?.mass(&origin, &point, &place(&query, "the query point")?))
     }
 
-    fn ab_tie_point_mass(origin: F64Array, point: Point, query: F64Array, kappa: f64, lambda: f64, c: f64) {
+    fn ab_tie_point_mass(origin: F64Array, point: UncertainPoint, query: F64Array, kappa: f64, lambda: f64, c: f64) {
         let (origin, query) = (place(&origin, "the origin")?, place(&query, "the query point")?);
         mass_ret(&RayModel::new(kappa, lambda, c)?.tie_point_mass(&origin, &point.position, &point.covariance, &query))
     }

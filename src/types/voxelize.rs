@@ -1,7 +1,7 @@
 //! Solids in voxels, and the accuracy of voxels.
 
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::voxel::{Grid, Mask, Rule, VoxelAccuracy};
+use asbuilt_core::voxel::{FillRule, Grid, VoxelAccuracy, VoxelSet};
 
 use super::occupancy::occupancy_ret;
 use super::solid::SolidArg;
@@ -12,8 +12,8 @@ sql_functions! {
 
     fn ab_voxelize(solid: SolidArg, voxel: f64, rule: String, tile: Option<Aabb>) {
         let grid = Grid::new(voxel, tile.unwrap_or(Grid::EVERYWHERE), 0.0, 0.0)?;
-        let rule = Rule::parse(&rule)?;
-        let mask = Mask::of(&solid.read()?, &grid, rule, &Backend)?;
+        let rule = FillRule::parse(&rule)?;
+        let mask = VoxelSet::of(&solid.read()?, &grid, rule, &Backend)?;
         occupancy_ret(&mask.into_model(grid, &Backend)?)
     }
 

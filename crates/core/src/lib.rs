@@ -20,7 +20,7 @@
 //!
 //! | frame | begins at | what is in it |
 //! | --- | --- | --- |
-//! | world | the reference system's zero | [`geometry::Solid`], [`geometry::Aabb`], all of [`uncertain`], the `origin`, `points` and `hull` of a [`scan::Header`], the triangles that beams are aimed at (`verify`'s target), [`verify::Place`], [`voxel::Grid::tile`] |
+//! | world | the reference system's zero | [`geometry::Solid`], [`geometry::Aabb`], all of [`uncertain`], the `origin`, `points` and `hull` of a [`scan::PatchHeader`], the triangles that beams are aimed at (`verify`'s target), [`verify::StationOrigin`], [`voxel::Grid::tile`] |
 //! | local of an object | `reference`: the centre of the solid's box, rounded to whole metres | the samples of [`verify::Evidence`] (`local(i)`, kept in single precision) and what is worked out from them: balls of blocks, points without origin, the points of the built surface |
 //! | patch-local | the header's `origin` | where the beams of a [`scan::Beams`] start and end (`start(i)`, `end(i)`) |
 //! | scanner-relative | where the beam starts | [`scan::Beam::offset`], directions and ranges of a [`scan::RangeImage`], the `offset` that leads to a sample, the places that beams speak of. For a tripod it is the patch-local frame; a [`scan::RangeImage`] adds image coordinates (u, v) in the plane at unit distance along its cone's axis |

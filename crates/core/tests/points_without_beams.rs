@@ -4,7 +4,7 @@ use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec};
-use asbuilt_core::uncertain::Point;
+use asbuilt_core::uncertain::UncertainPoint;
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind, Summary, Verdict, VerdictRule};
 use nalgebra::Matrix3;
 use rand::{Rng, SeedableRng};
@@ -73,7 +73,7 @@ fn from_tie_points(at: f64, sd: f64) -> Summary {
     let cameras = [Vec3::new(4.0, 0.2, 1.0), Vec3::new(3.5, 1.8, 1.2)].map(|c| BASE + c);
     for _ in 0..20_000 {
         let p = Vec3::new(at + noise.sample(&mut rng), rng.random_range(0.0..2.0), rng.random_range(0.0..2.0));
-        let point = Point { position: BASE + p, covariance: Matrix3::identity() * sd * sd };
+        let point = UncertainPoint { position: BASE + p, covariance: Matrix3::identity() * sd * sd };
         c.absorb_tie_point(&point, &cameras, NEVER).unwrap();
     }
     judged(c.evidence())

@@ -2,8 +2,10 @@
 
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::uncertain::test::{self, Test};
-use asbuilt_core::uncertain::{Line, Matrix7, Plane, Point, Pose, Stored, distance, fit, foot, intersect, join};
+use asbuilt_core::uncertain::hypothesis::{self, HypothesisTest};
+use asbuilt_core::uncertain::{
+    Matrix7, Stored, UncertainLine, UncertainPlane, UncertainPoint, UncertainPose, distance, fit, foot, intersect, join,
+};
 use nalgebra::{DMatrix, Matrix3, Matrix4, Matrix6, SMatrix, SVector, SymmetricEigen, UnitQuaternion, Vector4};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -34,20 +36,20 @@ trait Random: Copy {
     fn drawn(&self, rng: &mut ChaCha8Rng) -> Self;
 }
 
-impl Random for Point {
+impl Random for UncertainPoint {
     fn drawn(&self, rng: &mut ChaCha8Rng) -> Self {
         Self { position: self.position + draw(rng, &root(&self.covariance)), ..*self }
     }
 }
 
-impl Random for Line {
+impl Random for UncertainLine {
     fn drawn(&self, rng: &mut ChaCha8Rng) -> Self {
         let e = draw(rng, &root(&self.covariance));
         Self { start: self.start + e.fixed_rows::<3>(0), end: self.end + e.fixed_rows::<3>(3), ..*self }
     }
 }
 
-impl Random for Plane {
+impl Random for UncertainPlane {
     fn drawn(&self, rng: &mut ChaCha8Rng) -> Self {
         let e: Vector4<f64> = draw(rng, &root(&self.covariance));
         let normal = (self.normal + e.fixed_rows::<3>(0)).normalize();
@@ -55,7 +57,7 @@ impl Random for Plane {
     }
 }
 
-impl Random for Pose {
+impl Random for UncertainPose {
     fn drawn(&self, rng: &mut ChaCha8Rng) -> Self {
         let e = draw(rng, &root(&self.covariance));
         let turn = UnitQuaternion::from_scaled_axis(e.fixed_rows::<3>(0).into_owned());
@@ -68,23 +70,23 @@ impl Random for Pose {
     }
 }
 
-fn point_error(got: &Point, nominal: &Point) -> SVector<f64, 3> {
+fn point_error(got: &UncertainPoint, nominal: &UncertainPoint) -> SVector<f64, 3> {
     got.position - nominal.position
 }
 
-fn line_error(got: &Line, nominal: &Line) -> SVector<f64, 6> {
+fn line_error(got: &UncertainLine, nominal: &UncertainLine) -> SVector<f64, 6> {
     let (a, b) = (got.start - nominal.start, got.end - nominal.end);
     SVector::from([a.x, a.y, a.z, b.x, b.y, b.z])
 }
 
 /// (δn, δq) about the nominal plane's point.
-fn plane_error(got: &Plane, nominal: &Plane) -> SVector<f64, 4> {
+fn plane_error(got: &UncertainPlane, nominal: &UncertainPlane) -> SVector<f64, 4> {
     let n = got.normal - nominal.normal;
     let q = got.normal.dot(&(got.point - nominal.point));
     SVector::from([n.x, n.y, n.z, q])
 }
 
-fn pose_error(got: &Pose, nominal: &Pose) -> SVector<f64, 7> {
+fn pose_error(got: &UncertainPose, nominal: &UncertainPose) -> SVector<f64, 7> {
     let turn = (got.rotation * nominal.rotation.inverse()).scaled_axis();
     let t = got.translation - nominal.translation;
     SVector::from([turn.x, turn.y, turn.z, t.x, t.y, t.z, (got.scale / nominal.scale).ln()])
@@ -111,21 +113,21 @@ fn agrees<const N: usize>(
 
 /// A scene of objects that touch, turn and cross as the tests need, about `base`.
 struct Scene {
-    points: [Point; 4],
-    pose: Pose,
-    other_pose: Pose,
+    points: [UncertainPoint; 4],
+    pose: UncertainPose,
+    other_pose: UncertainPose,
 }
 
 fn scene(base: Vec3, rng: &mut ChaCha8Rng) -> Scene {
     let mut point =
-        |x: f64, y: f64, z: f64| Point::new(base + Vec3::new(x, y, z), &any_covariance(rng, 0.002)).unwrap();
+        |x: f64, y: f64, z: f64| UncertainPoint::new(base + Vec3::new(x, y, z), &any_covariance(rng, 0.002)).unwrap();
     let points = [point(0.3, 0.2, 0.1), point(4.0, 0.5, 0.3), point(1.0, 5.0, 0.9), point(2.0, 1.5, 3.0)];
     let mut pose = |axis: Vec3, t: Vec3, scale: f64| {
         let q = UnitQuaternion::from_scaled_axis(axis);
         let unit = any_covariance::<7>(rng, 1.0);
         let sd = SVector::from([1e-4, 1e-4, 1e-4, 1e-3, 1e-3, 1e-3, 1e-4]);
         let covariance: Matrix7 = SMatrix::from_fn(|i, j| unit[(i, j)] * sd[i] * sd[j]);
-        Pose::new([q.w, q.i, q.j, q.k], t, scale, &covariance).unwrap()
+        UncertainPose::new([q.w, q.i, q.j, q.k], t, scale, &covariance).unwrap()
     };
     let pose_a = pose(Vec3::new(0.3, -0.4, 1.2), Vec3::new(10.0, -4.0, 2.0), 1.002);
     let pose_b = pose(Vec3::new(-0.7, 0.1, 0.5), Vec3::new(-3.0, 8.0, 1.0), 0.98);
@@ -143,7 +145,7 @@ fn constructions_propagate_covariance() {
     let reference = Vec3::new(1.0, 2.0, 0.5);
     let (plucker, covariance) = line.plucker(&reference);
     agrees("Plücker line", &covariance, rng, |r| line.drawn(r).plucker(&reference).0 - plucker);
-    let inside = |p: &Point, r: &mut ChaCha8Rng| {
+    let inside = |p: &UncertainPoint, r: &mut ChaCha8Rng| {
         let e = p.drawn(r).position - p.position;
         let axes = p.ellipsoid(0.95).unwrap();
         axes.iter().map(|(half, axis)| (e.dot(axis) / half).powi(2)).sum::<f64>() <= 1.0
@@ -166,16 +168,16 @@ fn constructions_propagate_covariance() {
         let got = intersect::planes(&plane.drawn(r), &second.drawn(r)).unwrap();
         // Where it crosses the planes across the nominal line at its ends.
         let at = |end: &Vec3| {
-            let cross = Plane::tilted(*end, edge.direction(), 0.0, 0.0).unwrap();
+            let cross = UncertainPlane::tilted(*end, edge.direction(), 0.0, 0.0).unwrap();
             intersect::line_plane(&got, &cross).unwrap().position
         };
-        line_error(&Line { start: at(&edge.start), end: at(&edge.end), ..edge }, &edge)
+        line_error(&UncertainLine { start: at(&edge.start), end: at(&edge.end), ..edge }, &edge)
     });
     let corner = intersect::three_planes([&plane, &second, &third]).unwrap();
     agrees("point of three planes", &corner.covariance, rng, |r| {
         point_error(&intersect::three_planes([&plane.drawn(r), &second.drawn(r), &third.drawn(r)]).unwrap(), &corner)
     });
-    let through = join::line_through(&d, &Point { position: Vec3::new(2.5, 2.0, -1.0), ..a }).unwrap();
+    let through = join::line_through(&d, &UncertainPoint { position: Vec3::new(2.5, 2.0, -1.0), ..a }).unwrap();
     let pierced = intersect::line_plane(&through, &plane).unwrap();
     agrees("point of line and plane", &pierced.covariance, rng, |r| {
         point_error(&intersect::line_plane(&through.drawn(r), &plane.drawn(r)).unwrap(), &pierced)
@@ -199,7 +201,7 @@ fn distances_know_their_deviation() {
     let line = join::line_through(&a, &b).unwrap();
     let skew = join::line_through(&c, &d).unwrap();
     let plane = join::plane_through(&a, &b, &c).unwrap();
-    type Measure<'a> = (&'a str, Box<dyn Fn(Option<&mut ChaCha8Rng>) -> distance::Distance + 'a>);
+    type Measure<'a> = (&'a str, Box<dyn Fn(Option<&mut ChaCha8Rng>) -> distance::UncertainDistance + 'a>);
     fn of<T: Random>(x: &T, rng: &mut Option<&mut ChaCha8Rng>) -> T {
         rng.as_mut().map_or(*x, |r| x.drawn(r))
     }
@@ -249,18 +251,18 @@ fn poses_carry_everything() {
 fn best_fits() {
     let rng = &mut ChaCha8Rng::seed_from_u64(4);
     let truth = |u: f64, v: f64| Vec3::new(u, v, 0.3 * u - 0.2 * v);
-    let mut cloud: Vec<Point> = Vec::new();
+    let mut cloud: Vec<UncertainPoint> = Vec::new();
     for i in 0..36 {
         let at = truth(f64::from(i % 6) * 0.7, f64::from(i / 6) * 0.5);
-        cloud.push(Point::new(at, &any_covariance(rng, 0.002)).unwrap());
+        cloud.push(UncertainPoint::new(at, &any_covariance(rng, 0.002)).unwrap());
     }
-    let drawn = |cloud: &[Point], r: &mut ChaCha8Rng| cloud.iter().map(|p| p.drawn(r)).collect::<Vec<_>>();
+    let drawn = |cloud: &[UncertainPoint], r: &mut ChaCha8Rng| cloud.iter().map(|p| p.drawn(r)).collect::<Vec<_>>();
     let plane = fit::plane(&cloud, NEVER).unwrap();
     agrees("best-fit plane", &plane.covariance, rng, |r| {
         plane_error(&fit::plane(&drawn(&cloud, r), NEVER).unwrap(), &plane)
     });
-    let row: Vec<Point> = (0..12)
-        .map(|i| Point::new(Vec3::new(0.5, 0.2, -0.1) * f64::from(i), &any_covariance(rng, 0.002)).unwrap())
+    let row: Vec<UncertainPoint> = (0..12)
+        .map(|i| UncertainPoint::new(Vec3::new(0.5, 0.2, -0.1) * f64::from(i), &any_covariance(rng, 0.002)).unwrap())
         .collect();
     let line = fit::line(&row, NEVER).unwrap();
     // Across the line; along it the ends are those of the extreme points.
@@ -268,15 +270,15 @@ fn best_fits() {
     // Without any uncertainty given, it comes from the residuals.
     let (mut sum, n) = (0.0, 400);
     for _ in 0..n {
-        let bare: Vec<Point> =
-            drawn(&cloud, rng).into_iter().map(|p| Point { covariance: Matrix3::zeros(), ..p }).collect();
+        let bare: Vec<UncertainPoint> =
+            drawn(&cloud, rng).into_iter().map(|p| UncertainPoint { covariance: Matrix3::zeros(), ..p }).collect();
         sum += fit::plane(&bare, NEVER).unwrap().covariance[(3, 3)] / f64::from(n);
     }
     assert!((sum / plane.covariance[(3, 3)]).sqrt().max((plane.covariance[(3, 3)] / sum).sqrt()) < 1.3);
 }
 
 /// A test of the objects at `base`, one of them moved off, with errors drawn.
-type Trial = Box<dyn Fn(&mut ChaCha8Rng, f64, Vec3) -> Test>;
+type Trial = Box<dyn Fn(&mut ChaCha8Rng, f64, Vec3) -> HypothesisTest>;
 
 /// One relation: the objects where it holds, drawn anew, and the same with one of them moved off.
 struct Relation {
@@ -288,22 +290,22 @@ struct Relation {
 /// All relations, exact about `base`; `off` breaks each, in units of about one standard deviation.
 fn relations() -> Vec<Relation> {
     const SD: f64 = 0.002;
-    fn point(rng: &mut ChaCha8Rng, base: Vec3, x: Vec3) -> Point {
-        Point::new(base + x, &any_covariance(rng, SD)).unwrap()
+    fn point(rng: &mut ChaCha8Rng, base: Vec3, x: Vec3) -> UncertainPoint {
+        UncertainPoint::new(base + x, &any_covariance(rng, SD)).unwrap()
     }
-    fn line(rng: &mut ChaCha8Rng, base: Vec3, a: Vec3, b: Vec3) -> Line {
-        Line::new(base + a, base + b, &any_covariance::<6>(rng, SD)).unwrap()
+    fn line(rng: &mut ChaCha8Rng, base: Vec3, a: Vec3, b: Vec3) -> UncertainLine {
+        UncertainLine::new(base + a, base + b, &any_covariance::<6>(rng, SD)).unwrap()
     }
-    fn plane(rng: &mut ChaCha8Rng, base: Vec3, at: Vec3, normal: Vec3) -> Plane {
+    fn plane(rng: &mut ChaCha8Rng, base: Vec3, at: Vec3, normal: Vec3) -> UncertainPlane {
         let c: Matrix4<f64> = any_covariance::<4>(rng, SD);
-        Plane::new(base + at, normal, &c).unwrap()
+        UncertainPlane::new(base + at, normal, &c).unwrap()
     }
     // Objects are the same in every trial (seed 9); only their errors differ.
     fn with<T>(
         name: &'static str,
         dof: u32,
         make: fn(&mut ChaCha8Rng, Vec3, f64) -> T,
-        test: fn(&T, &mut ChaCha8Rng) -> Test,
+        test: fn(&T, &mut ChaCha8Rng) -> HypothesisTest,
     ) -> Relation
     where
         T: 'static,
@@ -322,7 +324,7 @@ fn relations() -> Vec<Relation> {
             "same point",
             3,
             |r, o, off| (point(r, o, Vec3::x()), point(r, o, Vec3::x() + Vec3::y() * off * SD)),
-            |(a, b), r| test::same_point(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::same_point(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "point on line",
@@ -334,7 +336,7 @@ fn relations() -> Vec<Relation> {
                     line(r, o, Vec3::zeros(), Vec3::new(1.8, 1.92, 1.44)),
                 )
             },
-            |(a, b), r| test::point_on_line(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::point_on_line(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "point on plane",
@@ -343,7 +345,7 @@ fn relations() -> Vec<Relation> {
                 let n = Vec3::new(0.6, 0.64, 0.48);
                 (point(r, o, Vec3::new(-0.8, 0.48, 0.36) * 2.0 + n * off * SD), plane(r, o, Vec3::zeros(), n))
             },
-            |(a, b), r| test::point_on_plane(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::point_on_plane(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "line in plane",
@@ -353,7 +355,7 @@ fn relations() -> Vec<Relation> {
                 let (a, b) = (Vec3::new(-0.8, 0.48, 0.36), Vec3::new(0.0, -0.6, 0.8) * 2.0);
                 (line(r, o, a + n * off * SD, b), plane(r, o, Vec3::zeros(), n))
             },
-            |(a, b), r| test::line_in_plane(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::line_in_plane(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "same plane",
@@ -363,7 +365,7 @@ fn relations() -> Vec<Relation> {
                 let other = Vec3::new(-0.8, 0.48, 0.36) * 1.5 + n * off * SD;
                 (plane(r, o, Vec3::zeros(), n), plane(r, o, other, -n))
             },
-            |(a, b), r| test::same_plane(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::same_plane(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "parallel lines",
@@ -373,7 +375,7 @@ fn relations() -> Vec<Relation> {
                 let q = Vec3::new(0.3, 2.0, 1.0);
                 (line(r, o, Vec3::zeros(), d), line(r, o, q, q - d + Vec3::new(-0.8, 0.48, 0.36) * off * SD))
             },
-            |(a, b), r| test::parallel_lines(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::parallel_lines(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "parallel planes",
@@ -382,7 +384,7 @@ fn relations() -> Vec<Relation> {
                 let n = Vec3::new(0.6, 0.64, 0.48);
                 (plane(r, o, Vec3::zeros(), n), plane(r, o, n * 3.0, -n + Vec3::new(-0.8, 0.48, 0.36) * off * SD))
             },
-            |(a, b), r| test::parallel_planes(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::parallel_planes(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "line parallel to plane",
@@ -391,7 +393,7 @@ fn relations() -> Vec<Relation> {
                 let n = Vec3::new(0.6, 0.64, 0.48);
                 (line(r, o, n, n * (1.0 + off * SD) + Vec3::new(-1.6, 0.96, 0.72)), plane(r, o, Vec3::zeros(), n))
             },
-            |(a, b), r| test::line_parallel_plane(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::line_parallel_plane(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "orthogonal lines",
@@ -401,7 +403,7 @@ fn relations() -> Vec<Relation> {
                 let b = Vec3::new(-1.6, 0.96, 0.72);
                 (line(r, o, Vec3::zeros(), n), line(r, o, Vec3::x(), Vec3::x() + b + n * off * SD))
             },
-            |(a, b), r| test::orthogonal_lines(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::orthogonal_lines(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "orthogonal planes",
@@ -410,7 +412,7 @@ fn relations() -> Vec<Relation> {
                 let n = Vec3::new(0.6, 0.64, 0.48);
                 (plane(r, o, Vec3::zeros(), n), plane(r, o, Vec3::x(), Vec3::new(-0.8, 0.48, 0.36) + n * off * SD))
             },
-            |(a, b), r| test::orthogonal_planes(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::orthogonal_planes(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "line orthogonal to plane",
@@ -422,7 +424,7 @@ fn relations() -> Vec<Relation> {
                     plane(r, o, Vec3::zeros(), n),
                 )
             },
-            |(a, b), r| test::line_orthogonal_plane(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::line_orthogonal_plane(&a.drawn(r), &b.drawn(r)),
         ),
         with(
             "coplanar lines",
@@ -432,7 +434,7 @@ fn relations() -> Vec<Relation> {
                 let (u, v) = (Vec3::new(-0.8, 0.48, 0.36), Vec3::new(0.0, -0.6, 0.8));
                 (line(r, o, u, u + v * 2.0), line(r, o, v * 3.0 - u + n * off * SD, v + u * 2.0))
             },
-            |(a, b), r| test::coplanar(&a.drawn(r), &b.drawn(r)),
+            |(a, b), r| hypothesis::coplanar(&a.drawn(r), &b.drawn(r)),
         ),
     ]
 }
@@ -475,17 +477,17 @@ fn projected_coordinates_lose_nothing() {
 
 #[test]
 fn exact_objects_contradict_or_agree() {
-    let exact = |x: f64| Point::isotropic(Vec3::new(x, 0.0, 0.0), 0.0).unwrap();
-    let same = test::same_point(&exact(1.0), &exact(1.0));
+    let exact = |x: f64| UncertainPoint::isotropic(Vec3::new(x, 0.0, 0.0), 0.0).unwrap();
+    let same = hypothesis::same_point(&exact(1.0), &exact(1.0));
     assert_eq!((same.statistic, same.dof, same.p_value), (0.0, 0, 1.0));
-    let apart = test::same_point(&exact(1.0), &exact(1.1));
+    let apart = hypothesis::same_point(&exact(1.0), &exact(1.1));
     assert!(apart.statistic.is_infinite() && apart.p_value == 0.0);
     // Uncertain along x alone: one degree of freedom, and a step along y is a contradiction.
     let along = Matrix3::from_diagonal(&Vec3::new(1e-6, 0.0, 0.0));
-    let p = Point::new(Vec3::zeros(), &along).unwrap();
-    let t = test::same_point(&p, &exact(0.002));
+    let p = UncertainPoint::new(Vec3::zeros(), &along).unwrap();
+    let t = hypothesis::same_point(&p, &exact(0.002));
     assert!(t.dof == 1 && (t.statistic - 4.0).abs() < 1e-9, "{t:?}");
-    let t = test::same_point(&p, &Point::isotropic(Vec3::y() * 0.001, 0.0).unwrap());
+    let t = hypothesis::same_point(&p, &UncertainPoint::isotropic(Vec3::y() * 0.001, 0.0).unwrap());
     assert!(t.statistic.is_infinite());
 }
 
@@ -497,11 +499,13 @@ fn results_can_be_read_again() {
     for _ in 0..2000 {
         let mut place = |size: f64| Vec3::from_fn(|_, _| rng.random_range(0.0..size));
         let (a, b, c, t) = (place(20.0), place(20.0), place(20.0), place(20.0));
-        let exact = |p: Vec3| Point::isotropic(FAR + p, 0.0).unwrap();
-        let third = Point::isotropic(FAR + c, 0.01).unwrap();
+        let exact = |p: Vec3| UncertainPoint::isotropic(FAR + p, 0.0).unwrap();
+        let third = UncertainPoint::isotropic(FAR + c, 0.01).unwrap();
         let Ok(plane) = join::plane_through(&exact(a), &exact(b), &third) else { continue };
         let q = UnitQuaternion::from_scaled_axis(t);
-        let pose = Pose::new([q.w, q.i, q.j, q.k], FAR + t, 1.0, &Pose::diagonal(1e-3, 0.0, 0.0).unwrap()).unwrap();
+        let pose =
+            UncertainPose::new([q.w, q.i, q.j, q.k], FAR + t, 1.0, &UncertainPose::diagonal(1e-3, 0.0, 0.0).unwrap())
+                .unwrap();
         let line = join::line_through(&exact(a), &third).unwrap();
         let back = pose.inverse().unwrap();
         fn reread<T: Stored<N>, const N: usize>(x: &T) {
@@ -527,35 +531,37 @@ fn what_is_no_covariance_is_refused() {
         [[1.0, f64::INFINITY, 0.0], [f64::INFINITY, 1.0, 0.0], [0.0, 0.0, 0.0]],
     ] {
         let m = Matrix3::from_fn(|i, j| bad[i][j]);
-        assert!(Point::new(Vec3::zeros(), &m).is_err(), "{m}");
+        assert!(UncertainPoint::new(Vec3::zeros(), &m).is_err(), "{m}");
     }
     let tiny = Matrix3::identity() * 1e-300;
-    assert!(Point::new(Vec3::zeros(), &tiny).is_ok());
-    let apart =
-        test::same_point(&Point::new(Vec3::zeros(), &tiny).unwrap(), &Point::new(Vec3::x() * 1e5, &tiny).unwrap());
+    assert!(UncertainPoint::new(Vec3::zeros(), &tiny).is_ok());
+    let apart = hypothesis::same_point(
+        &UncertainPoint::new(Vec3::zeros(), &tiny).unwrap(),
+        &UncertainPoint::new(Vec3::x() * 1e5, &tiny).unwrap(),
+    );
     assert!(apart.p_value == 0.0 && !apart.holds(0.05), "{apart:?}");
     // Fewer digits of a unit quaternion or normal are made a unit again.
-    let q = Pose::from_text("(0.7071068,0,0,0.7071068,0,0,0,1)").unwrap();
+    let q = UncertainPose::from_text("(0.7071068,0,0,0.7071068,0,0,0,1)").unwrap();
     assert!((q.rotation.quaternion().norm() - 1.0).abs() < 1e-15);
-    assert!(Pose::from_text("(0.7,0,0,0.7,0,0,0,1)").is_err());
+    assert!(UncertainPose::from_text("(0.7,0,0,0.7,0,0,0,1)").is_err());
 }
 
 #[test]
 fn what_does_not_determine_is_refused() {
-    let p = |x: f64, y: f64| Point::isotropic(FAR + Vec3::new(x, y, 0.0), 0.001).unwrap();
+    let p = |x: f64, y: f64| UncertainPoint::isotropic(FAR + Vec3::new(x, y, 0.0), 0.001).unwrap();
     assert!(join::line_through(&p(0.0, 0.0), &p(0.0, 0.0)).is_err());
     let e = join::plane_through(&p(0.0, 0.0), &p(1.0, 1.0), &p(3.0, 3.0)).unwrap_err();
     assert_eq!(e.to_string(), "the plane is undetermined: the three points lie on one line");
-    let row: Vec<Point> = (0..9).map(|i| p(f64::from(i), 0.0)).collect();
+    let row: Vec<UncertainPoint> = (0..9).map(|i| p(f64::from(i), 0.0)).collect();
     assert!(fit::plane(&row, NEVER).is_err() && fit::plane(&row[..2], NEVER).is_err());
     assert!(fit::line(&[p(1.0, 1.0), p(1.0, 1.0)], NEVER).is_err() && fit::line(&[], NEVER).is_err());
-    let floor = Plane::tilted(FAR, Vec3::z(), 0.001, 1e-4).unwrap();
-    let other = Plane::tilted(FAR + Vec3::z(), Vec3::z(), 0.001, 1e-4).unwrap();
+    let floor = UncertainPlane::tilted(FAR, Vec3::z(), 0.001, 1e-4).unwrap();
+    let other = UncertainPlane::tilted(FAR + Vec3::z(), Vec3::z(), 0.001, 1e-4).unwrap();
     assert!(intersect::planes(&floor, &other).is_err());
     let level = join::line_through(&p(0.0, 0.0), &p(1.0, 0.0)).unwrap();
     assert!(intersect::line_plane(&level, &floor).is_err());
     let negative = Matrix3::from_diagonal(&Vec3::new(1e-6, 1e-6, -1e-8));
-    let e = Point::new(Vec3::zeros(), &negative).unwrap_err();
+    let e = UncertainPoint::new(Vec3::zeros(), &negative).unwrap_err();
     assert!(e.to_string().contains("smallest eigenvalue is -1e-8"), "{e}");
-    assert!(Line::new(Vec3::zeros(), Vec3::x(), &-Matrix6::identity()).is_err());
+    assert!(UncertainLine::new(Vec3::zeros(), Vec3::x(), &-Matrix6::identity()).is_err());
 }

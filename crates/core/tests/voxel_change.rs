@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::scan::{Beam, Patch};
-use asbuilt_core::voxel::{Change, Class, Grid, Mask, Occupancy, Rule, Settings, State};
+use asbuilt_core::voxel::{Change, ChangeClass, ChangeSettings, FillRule, Grid, Occupancy, VoxelSet, VoxelState};
 use proptest::prelude::*;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -34,7 +34,7 @@ fn epoch(grid: Grid, seed: u64, x: f64) -> Occupancy {
 fn known(o: &Occupancy) -> HashMap<Voxel, (u8, bool)> {
     let mut out = HashMap::new();
     o.for_each(1, NEVER, |voxel, state, hits| {
-        out.insert(voxel, (hits, matches!(state, State::Empty | State::Ambiguous)));
+        out.insert(voxel, (hits, matches!(state, VoxelState::Empty | VoxelState::Ambiguous)));
     })
     .unwrap();
     out
@@ -51,14 +51,14 @@ fn class(
     voxel: Voxel,
     threshold: u8,
     tolerance: f64,
-) -> Option<Class> {
+) -> Option<ChangeClass> {
     let at = |side: &HashMap<Voxel, (u8, bool)>| side.get(&voxel).copied().unwrap_or_default();
     let (was, is) = (at(old).0 >= threshold, at(new).0 >= threshold);
     let (other, changed) = match (was, is) {
         (false, false) => return None,
-        (true, true) => return Some(Class::Confirmed),
-        (true, false) => (new, Class::Disappeared),
-        (false, true) => (old, Class::New),
+        (true, true) => return Some(ChangeClass::Confirmed),
+        (true, false) => (new, ChangeClass::Disappeared),
+        (false, true) => (old, ChangeClass::New),
     };
     if tolerance > 0.0 {
         let reach = tolerance.ceil() as i64 + 1;
@@ -71,13 +71,13 @@ fn class(
             }
         }
         if most >= threshold {
-            return Some(Class::Confirmed);
+            return Some(ChangeClass::Confirmed);
         }
         if most > 0 && at(other).1 {
-            return Some(Class::Ambiguous);
+            return Some(ChangeClass::Ambiguous);
         }
     }
-    Some(if at(other).1 { changed } else { Class::Unknown })
+    Some(if at(other).1 { changed } else { ChangeClass::Unknown })
 }
 
 #[test]
@@ -89,7 +89,7 @@ fn classes_are_those_of_brute_force() {
     let mut met = HashSet::new();
     for threshold in [1, 3, 10] {
         for tolerance in [0.0, 0.02, 0.08] {
-            let change = Change::between(&old, &new, Settings { threshold, tolerance }, NEVER).unwrap();
+            let change = Change::between(&old, &new, ChangeSettings { threshold, tolerance }, NEVER).unwrap();
             let mut counts = [0; 5];
             for &voxel in &voxels {
                 let expected = class(&k_old, &k_new, voxel, threshold, tolerance / 0.05);
@@ -168,8 +168,8 @@ fn masks_are_those_of_the_winding_number() {
     ];
     for (k, solid) in solids.iter().enumerate() {
         let grid = Grid::new(0.05, Grid::EVERYWHERE, 0.0, 0.0).unwrap();
-        let [centre, cover, surface] =
-            [Rule::Centre, Rule::Cover, Rule::Surface].map(|rule| Mask::of(solid, &grid, rule, NEVER).unwrap());
+        let [centre, cover, surface] = [FillRule::Centre, FillRule::Cover, FillRule::Surface]
+            .map(|rule| VoxelSet::of(solid, &grid, rule, NEVER).unwrap());
         let bounds = solid.bounds().expanded(0.1);
         let (low, high) = (grid.index(&bounds.min.into()).unwrap(), grid.index(&bounds.max.into()).unwrap());
         let mut inside = 0;
@@ -221,12 +221,12 @@ fn masks_are_those_of_the_winding_number() {
 fn open_surfaces_have_no_inside() {
     let sheet = Solid::new(vec![Vec3::zeros(), Vec3::x(), Vec3::y()], vec![[0, 1, 2]]).unwrap();
     let grid = Grid::new(0.1, Grid::EVERYWHERE, 0.0, 0.0).unwrap();
-    for rule in [Rule::Centre, Rule::Cover] {
-        let e = Mask::of(&sheet, &grid, rule, NEVER).unwrap_err();
+    for rule in [FillRule::Centre, FillRule::Cover] {
+        let e = VoxelSet::of(&sheet, &grid, rule, NEVER).unwrap_err();
         assert!(e.to_string().contains("open"), "{e}");
     }
     // The 55 voxels of the triangle, its upper borders owned by the next ones.
-    let shell = Mask::of(&sheet, &grid, Rule::Surface, NEVER).unwrap();
+    let shell = VoxelSet::of(&sheet, &grid, FillRule::Surface, NEVER).unwrap();
     assert!((55..=66).contains(&shell.len()), "{}", shell.len());
 }
 
@@ -235,36 +235,44 @@ fn a_model_against_an_epoch() {
     let grid = Grid { exact: true, ..Grid::new(0.05, Grid::EVERYWHERE, 0.01, 1.0).unwrap() };
     let seen = epoch(grid, 3, 1.4);
     let solid = Solid::cuboid([1.38, -2.0, -1.0], [1.55, 0.3, 1.0]).unwrap();
-    let model = Mask::of(&solid, &grid, Rule::Centre, NEVER).unwrap().into_model(grid, NEVER).unwrap();
-    assert_eq!(model.state([0, 0, 0], 3), State::Empty);
-    let settings = Settings { threshold: 3, tolerance: 0.03 };
+    let model = VoxelSet::of(&solid, &grid, FillRule::Centre, NEVER).unwrap().into_model(grid, NEVER).unwrap();
+    assert_eq!(model.state([0, 0, 0], 3), VoxelState::Empty);
+    let settings = ChangeSettings { threshold: 3, tolerance: 0.03 };
     let change = Change::between(&model, &seen, settings, NEVER).unwrap();
     let tally = change.tally(None, 0.0, NEVER).unwrap();
     assert!(
-        tally.of(Class::Confirmed) > 200 && tally.of(Class::New) > 20 && tally.of(Class::Unknown) > 500,
+        tally.of(ChangeClass::Confirmed) > 200
+            && tally.of(ChangeClass::New) > 20
+            && tally.of(ChangeClass::Unknown) > 500,
         "{tally:?}"
     );
-    assert_eq!((change.class_name(Class::New), change.class_name(Class::Disappeared)), ("unmodelled", "absent"));
+    assert_eq!(
+        (change.class_name(ChangeClass::New), change.class_name(ChangeClass::Disappeared)),
+        ("unmodelled", "absent")
+    );
     // A block of air before the wall is drawn, and seen empty.
     let air = Solid::cuboid([0.6, -0.3, -0.2], [0.9, 0.3, 0.2]).unwrap();
-    let model = Mask::of(&air, &grid, Rule::Centre, NEVER).unwrap();
+    let model = VoxelSet::of(&air, &grid, FillRule::Centre, NEVER).unwrap();
     let drawn = model.len();
     let change = Change::between(&model.into_model(grid, NEVER).unwrap(), &seen, settings, NEVER).unwrap();
-    let inside = Mask::of(&air, &grid, Rule::Cover, NEVER).unwrap();
+    let inside = VoxelSet::of(&air, &grid, FillRule::Cover, NEVER).unwrap();
     let tally = change.tally(Some(&inside), 0.0, NEVER).unwrap();
-    assert!(tally.of(Class::Disappeared) as f64 > 0.95 * drawn as f64 && tally.of(Class::Confirmed) == 0, "{tally:?}");
+    assert!(
+        tally.of(ChangeClass::Disappeared) as f64 > 0.95 * drawn as f64 && tally.of(ChangeClass::Confirmed) == 0,
+        "{tally:?}"
+    );
 }
 
 #[test]
 fn lattices_must_agree() {
     let [a, b] = [0.05, 0.04].map(|voxel| Occupancy::new(Grid::new(voxel, Grid::EVERYWHERE, 0.01, 1.0).unwrap()));
-    let settings = Settings { threshold: 3, tolerance: 0.0 };
+    let settings = ChangeSettings { threshold: 3, tolerance: 0.0 };
     let e = Change::between(&a, &b, settings, NEVER).unwrap_err();
     assert!(e.to_string().contains("0.05 m and of 0.04 m"), "{e}");
     for tolerance in [-0.01, f64::NAN, 0.5] {
-        assert!(Change::between(&a, &a, Settings { threshold: 3, tolerance }, NEVER).is_err());
+        assert!(Change::between(&a, &a, ChangeSettings { threshold: 3, tolerance }, NEVER).is_err());
     }
-    assert!(Settings::threshold(0).is_err() && Settings::threshold(256).is_err());
+    assert!(ChangeSettings::threshold(0).is_err() && ChangeSettings::threshold(256).is_err());
 }
 
 proptest! {
@@ -285,14 +293,14 @@ proptest! {
             let voxel: Voxel = std::array::from_fn(|_| rng.random_range(-12..12));
             let corner = |by: f64| (grid.centre(voxel) + Vec3::repeat(by)).into();
             let at = Solid::cuboid(corner(-0.01), corner(0.01)).unwrap();
-            let mask = Mask::of(&at, &grid, Rule::Cover, NEVER).unwrap();
+            let mask = VoxelSet::of(&at, &grid, FillRule::Cover, NEVER).unwrap();
             model.merge(&mask.into_model(grid, NEVER).unwrap(), NEVER).unwrap();
             voxels.push(voxel);
         }
         voxels.sort();
         voxels.dedup();
         let nothing = Occupancy::of_model(grid);
-        let change = Change::between(&nothing, &model, Settings { threshold: 1, tolerance: 0.0 }, NEVER).unwrap();
+        let change = Change::between(&nothing, &model, ChangeSettings { threshold: 1, tolerance: 0.0 }, NEVER).unwrap();
         let mut of: Vec<usize> = (0..voxels.len()).collect();
         for i in 0..voxels.len() {
             for j in 0..i {
@@ -306,7 +314,7 @@ proptest! {
         of.iter().for_each(|c| *sizes.entry(*c).or_default() += 1);
         let mut expected: Vec<u64> = sizes.into_values().collect();
         expected.sort_by(|a, b| b.cmp(a));
-        let found = change.components(Class::New, 1, gap_voxels * 0.1, NEVER).unwrap();
+        let found = change.components(ChangeClass::New, 1, gap_voxels * 0.1, NEVER).unwrap();
         prop_assert_eq!(found.iter().map(|c| c.voxels).collect::<Vec<_>>(), expected);
         let mean = voxels.iter().map(|&v| grid.centre(v)).sum::<Vec3>() / voxels.len() as f64;
         let joint: Vec3 = found.iter().map(|c| c.centroid * c.voxels as f64).sum::<Vec3>() / voxels.len() as f64;

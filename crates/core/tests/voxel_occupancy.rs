@@ -2,7 +2,7 @@
 
 use asbuilt_core::geometry::{Aabb, Vec3};
 use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec};
-use asbuilt_core::voxel::{Grid, Occupancy, State};
+use asbuilt_core::voxel::{Grid, Occupancy, VoxelState};
 use asbuilt_core::{AtOnce, Error, NEVER};
 use proptest::prelude::*;
 use rand::{Rng, SeedableRng};
@@ -102,15 +102,15 @@ fn agrees(grid: Grid, patches: &[Vec<u8>], region: Aabb) -> (usize, usize, usize
                 let (hits, longest) = brute(&grid, &unpacked, voxel);
                 let state = o.state(voxel, 2);
                 if !grid.span().holds(voxel) {
-                    assert_eq!(state, State::Unknown);
+                    assert_eq!(state, VoxelState::Unknown);
                     continue;
                 }
                 // Ways shorter than a millionth of a voxel may go either way: rounding at a coordinate of 6 000 000.
                 let sure = longest > 1e-6 * grid.voxel;
                 let possible = longest > -1e-6 * grid.voxel;
-                let told = matches!(state, State::Empty | State::Ambiguous);
+                let told = matches!(state, VoxelState::Empty | VoxelState::Ambiguous);
                 assert_eq!(
-                    matches!(state, State::Occupied | State::Ambiguous),
+                    matches!(state, VoxelState::Occupied | VoxelState::Ambiguous),
                     hits >= 2,
                     "{voxel:?}: {hits} returns, {state:?}"
                 );
@@ -118,7 +118,7 @@ fn agrees(grid: Grid, patches: &[Vec<u8>], region: Aabb) -> (usize, usize, usize
                 assert!(possible || !told, "{voxel:?} is no beam's way");
                 full += usize::from(hits >= 2);
                 empty += usize::from(told);
-                unknown += usize::from(state == State::Unknown);
+                unknown += usize::from(state == VoxelState::Unknown);
             }
         }
     }
@@ -184,7 +184,8 @@ proptest! {
             let middle = grid.index(&(Vec3::new(1.0, -2.0, 0.5) + end * 0.31)).unwrap();
             let last = grid.index(&(Vec3::new(1.0, -2.0, 0.5) + end)).unwrap();
             let on_border = (0..3).any(|k| (([1.0, -2.0, 0.5][k] + end[k] * 0.31) / voxel).fract().abs() < 1e-6);
-            prop_assert!(middle == last || on_border || o.state(middle, 1) == State::Empty, "{:?} {:?}", end, o.state(middle, 1));
+            let state = o.state(middle, 1);
+            prop_assert!(middle == last || on_border || state == VoxelState::Empty, "{:?} {:?}", end, state);
         }
     }
 }
@@ -225,7 +226,7 @@ fn filling_between_rays_is_bounded() {
                 let (mut out, mut hits) = (std::collections::BTreeSet::new(), 0u64);
                 o.for_each(1, NEVER, |v, state, n| {
                     hits += u64::from(n);
-                    if matches!(state, State::Empty | State::Ambiguous) {
+                    if matches!(state, VoxelState::Empty | VoxelState::Ambiguous) {
                         out.insert(v);
                     }
                 })

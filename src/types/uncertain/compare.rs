@@ -4,9 +4,14 @@ use std::cmp::Ordering;
 
 use asbuilt_core::evidence::Mass;
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::uncertain::{Line, Plane, Point, Pose};
+use asbuilt_core::uncertain::{UncertainLine, UncertainPlane, UncertainPoint, UncertainPose};
 
 use crate::pg::{Numbers, SqlValue, sql_functions};
+
+type PointNumbers = Numbers<UncertainPoint, 9>;
+type LineNumbers = Numbers<UncertainLine, 27>;
+type PlaneNumbers = Numbers<UncertainPlane, 16>;
+type PoseNumbers = Numbers<UncertainPose, 36>;
 
 fn order<T, const N: usize>(a: &Numbers<T, N>, b: &Numbers<T, N>) -> Ordering {
     // Stored numbers are finite.
@@ -36,45 +41,45 @@ fn checksum(numbers: &[f64], start: u32) -> u32 {
 }
 
 sql_functions! {
-    fn ab_point_eq(a: Numbers<Point, 9>, b: Numbers<Point, 9>) { Ok(SqlValue::Bool(order(&a, &b).is_eq())) }
-    fn ab_point_ne(a: Numbers<Point, 9>, b: Numbers<Point, 9>) { Ok(SqlValue::Bool(order(&a, &b).is_ne())) }
-    fn ab_point_lt(a: Numbers<Point, 9>, b: Numbers<Point, 9>) { Ok(SqlValue::Bool(order(&a, &b).is_lt())) }
-    fn ab_point_le(a: Numbers<Point, 9>, b: Numbers<Point, 9>) { Ok(SqlValue::Bool(order(&a, &b).is_le())) }
-    fn ab_point_ge(a: Numbers<Point, 9>, b: Numbers<Point, 9>) { Ok(SqlValue::Bool(order(&a, &b).is_ge())) }
-    fn ab_point_gt(a: Numbers<Point, 9>, b: Numbers<Point, 9>) { Ok(SqlValue::Bool(order(&a, &b).is_gt())) }
-    fn ab_point_compare(a: Numbers<Point, 9>, b: Numbers<Point, 9>) { Ok(SqlValue::I32(order(&a, &b) as i32)) }
-    fn ab_point_hash(a: Numbers<Point, 9>) { Ok(hash(&a)) }
-    fn ab_point_hash_extended(a: Numbers<Point, 9>, seed: i64) { Ok(hash_extended(&a, seed)) }
+    fn ab_point_eq(a: PointNumbers, b: PointNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_eq())) }
+    fn ab_point_ne(a: PointNumbers, b: PointNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_ne())) }
+    fn ab_point_lt(a: PointNumbers, b: PointNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_lt())) }
+    fn ab_point_le(a: PointNumbers, b: PointNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_le())) }
+    fn ab_point_ge(a: PointNumbers, b: PointNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_ge())) }
+    fn ab_point_gt(a: PointNumbers, b: PointNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_gt())) }
+    fn ab_point_compare(a: PointNumbers, b: PointNumbers) { Ok(SqlValue::I32(order(&a, &b) as i32)) }
+    fn ab_point_hash(a: PointNumbers) { Ok(hash(&a)) }
+    fn ab_point_hash_extended(a: PointNumbers, seed: i64) { Ok(hash_extended(&a, seed)) }
 
-    fn ab_line_eq(a: Numbers<Line, 27>, b: Numbers<Line, 27>) { Ok(SqlValue::Bool(order(&a, &b).is_eq())) }
-    fn ab_line_ne(a: Numbers<Line, 27>, b: Numbers<Line, 27>) { Ok(SqlValue::Bool(order(&a, &b).is_ne())) }
-    fn ab_line_lt(a: Numbers<Line, 27>, b: Numbers<Line, 27>) { Ok(SqlValue::Bool(order(&a, &b).is_lt())) }
-    fn ab_line_le(a: Numbers<Line, 27>, b: Numbers<Line, 27>) { Ok(SqlValue::Bool(order(&a, &b).is_le())) }
-    fn ab_line_ge(a: Numbers<Line, 27>, b: Numbers<Line, 27>) { Ok(SqlValue::Bool(order(&a, &b).is_ge())) }
-    fn ab_line_gt(a: Numbers<Line, 27>, b: Numbers<Line, 27>) { Ok(SqlValue::Bool(order(&a, &b).is_gt())) }
-    fn ab_line_compare(a: Numbers<Line, 27>, b: Numbers<Line, 27>) { Ok(SqlValue::I32(order(&a, &b) as i32)) }
-    fn ab_line_hash(a: Numbers<Line, 27>) { Ok(hash(&a)) }
-    fn ab_line_hash_extended(a: Numbers<Line, 27>, seed: i64) { Ok(hash_extended(&a, seed)) }
+    fn ab_line_eq(a: LineNumbers, b: LineNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_eq())) }
+    fn ab_line_ne(a: LineNumbers, b: LineNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_ne())) }
+    fn ab_line_lt(a: LineNumbers, b: LineNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_lt())) }
+    fn ab_line_le(a: LineNumbers, b: LineNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_le())) }
+    fn ab_line_ge(a: LineNumbers, b: LineNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_ge())) }
+    fn ab_line_gt(a: LineNumbers, b: LineNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_gt())) }
+    fn ab_line_compare(a: LineNumbers, b: LineNumbers) { Ok(SqlValue::I32(order(&a, &b) as i32)) }
+    fn ab_line_hash(a: LineNumbers) { Ok(hash(&a)) }
+    fn ab_line_hash_extended(a: LineNumbers, seed: i64) { Ok(hash_extended(&a, seed)) }
 
-    fn ab_plane_eq(a: Numbers<Plane, 16>, b: Numbers<Plane, 16>) { Ok(SqlValue::Bool(order(&a, &b).is_eq())) }
-    fn ab_plane_ne(a: Numbers<Plane, 16>, b: Numbers<Plane, 16>) { Ok(SqlValue::Bool(order(&a, &b).is_ne())) }
-    fn ab_plane_lt(a: Numbers<Plane, 16>, b: Numbers<Plane, 16>) { Ok(SqlValue::Bool(order(&a, &b).is_lt())) }
-    fn ab_plane_le(a: Numbers<Plane, 16>, b: Numbers<Plane, 16>) { Ok(SqlValue::Bool(order(&a, &b).is_le())) }
-    fn ab_plane_ge(a: Numbers<Plane, 16>, b: Numbers<Plane, 16>) { Ok(SqlValue::Bool(order(&a, &b).is_ge())) }
-    fn ab_plane_gt(a: Numbers<Plane, 16>, b: Numbers<Plane, 16>) { Ok(SqlValue::Bool(order(&a, &b).is_gt())) }
-    fn ab_plane_compare(a: Numbers<Plane, 16>, b: Numbers<Plane, 16>) { Ok(SqlValue::I32(order(&a, &b) as i32)) }
-    fn ab_plane_hash(a: Numbers<Plane, 16>) { Ok(hash(&a)) }
-    fn ab_plane_hash_extended(a: Numbers<Plane, 16>, seed: i64) { Ok(hash_extended(&a, seed)) }
+    fn ab_plane_eq(a: PlaneNumbers, b: PlaneNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_eq())) }
+    fn ab_plane_ne(a: PlaneNumbers, b: PlaneNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_ne())) }
+    fn ab_plane_lt(a: PlaneNumbers, b: PlaneNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_lt())) }
+    fn ab_plane_le(a: PlaneNumbers, b: PlaneNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_le())) }
+    fn ab_plane_ge(a: PlaneNumbers, b: PlaneNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_ge())) }
+    fn ab_plane_gt(a: PlaneNumbers, b: PlaneNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_gt())) }
+    fn ab_plane_compare(a: PlaneNumbers, b: PlaneNumbers) { Ok(SqlValue::I32(order(&a, &b) as i32)) }
+    fn ab_plane_hash(a: PlaneNumbers) { Ok(hash(&a)) }
+    fn ab_plane_hash_extended(a: PlaneNumbers, seed: i64) { Ok(hash_extended(&a, seed)) }
 
-    fn ab_pose_eq(a: Numbers<Pose, 36>, b: Numbers<Pose, 36>) { Ok(SqlValue::Bool(order(&a, &b).is_eq())) }
-    fn ab_pose_ne(a: Numbers<Pose, 36>, b: Numbers<Pose, 36>) { Ok(SqlValue::Bool(order(&a, &b).is_ne())) }
-    fn ab_pose_lt(a: Numbers<Pose, 36>, b: Numbers<Pose, 36>) { Ok(SqlValue::Bool(order(&a, &b).is_lt())) }
-    fn ab_pose_le(a: Numbers<Pose, 36>, b: Numbers<Pose, 36>) { Ok(SqlValue::Bool(order(&a, &b).is_le())) }
-    fn ab_pose_ge(a: Numbers<Pose, 36>, b: Numbers<Pose, 36>) { Ok(SqlValue::Bool(order(&a, &b).is_ge())) }
-    fn ab_pose_gt(a: Numbers<Pose, 36>, b: Numbers<Pose, 36>) { Ok(SqlValue::Bool(order(&a, &b).is_gt())) }
-    fn ab_pose_compare(a: Numbers<Pose, 36>, b: Numbers<Pose, 36>) { Ok(SqlValue::I32(order(&a, &b) as i32)) }
-    fn ab_pose_hash(a: Numbers<Pose, 36>) { Ok(hash(&a)) }
-    fn ab_pose_hash_extended(a: Numbers<Pose, 36>, seed: i64) { Ok(hash_extended(&a, seed)) }
+    fn ab_pose_eq(a: PoseNumbers, b: PoseNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_eq())) }
+    fn ab_pose_ne(a: PoseNumbers, b: PoseNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_ne())) }
+    fn ab_pose_lt(a: PoseNumbers, b: PoseNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_lt())) }
+    fn ab_pose_le(a: PoseNumbers, b: PoseNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_le())) }
+    fn ab_pose_ge(a: PoseNumbers, b: PoseNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_ge())) }
+    fn ab_pose_gt(a: PoseNumbers, b: PoseNumbers) { Ok(SqlValue::Bool(order(&a, &b).is_gt())) }
+    fn ab_pose_compare(a: PoseNumbers, b: PoseNumbers) { Ok(SqlValue::I32(order(&a, &b) as i32)) }
+    fn ab_pose_hash(a: PoseNumbers) { Ok(hash(&a)) }
+    fn ab_pose_hash_extended(a: PoseNumbers, seed: i64) { Ok(hash_extended(&a, seed)) }
 
     fn ab_mass_ne(a: Numbers<Mass, 3>, b: Numbers<Mass, 3>) { Ok(SqlValue::Bool(order(&a, &b).is_ne())) }
     fn ab_mass_lt(a: Numbers<Mass, 3>, b: Numbers<Mass, 3>) { Ok(SqlValue::Bool(order(&a, &b).is_lt())) }

@@ -1,6 +1,6 @@
 //! Input and output, the same for all four types.
 
-use asbuilt_core::uncertain::{Line, Plane, Point, Pose, Stored};
+use asbuilt_core::uncertain::{Stored, UncertainLine, UncertainPlane, UncertainPoint, UncertainPose};
 use asbuilt_core::{Error, Result};
 
 use crate::pg::{F64Array, Message, Numbers, SqlValue, TextInput, sql_functions};
@@ -56,31 +56,31 @@ fn from_list<T: Stored<N> + Copy, const N: usize>(array: &F64Array) -> Result<Sq
 }
 
 sql_functions! {
-    fn ab_point_in(text: TextInput) { read::<Point, 9>(&text) }
-    fn ab_point_out(point: Point) { shown(&point) }
-    fn ab_point_recv(message: Message) { received::<Point, 9>(&message) }
-    fn ab_point_send(point: Numbers<Point, 9>) { sent(&point) }
-    fn ab_point_numbers(point: Numbers<Point, 9>) { listed(&point) }
-    fn ab_point_from_numbers(numbers: F64Array) { from_list::<Point, 9>(&numbers) }
+    fn ab_point_in(text: TextInput) { read::<UncertainPoint, 9>(&text) }
+    fn ab_point_out(point: UncertainPoint) { shown(&point) }
+    fn ab_point_recv(message: Message) { received::<UncertainPoint, 9>(&message) }
+    fn ab_point_send(point: Numbers<UncertainPoint, 9>) { sent(&point) }
+    fn ab_point_numbers(point: Numbers<UncertainPoint, 9>) { listed(&point) }
+    fn ab_point_from_numbers(numbers: F64Array) { from_list::<UncertainPoint, 9>(&numbers) }
 
-    fn ab_line_in(text: TextInput) { read::<Line, 27>(&text) }
-    fn ab_line_out(line: Line) { shown(&line) }
-    fn ab_line_recv(message: Message) { received::<Line, 27>(&message) }
-    fn ab_line_send(line: Numbers<Line, 27>) { sent(&line) }
-    fn ab_line_numbers(line: Numbers<Line, 27>) { listed(&line) }
-    fn ab_line_from_numbers(numbers: F64Array) { from_list::<Line, 27>(&numbers) }
+    fn ab_line_in(text: TextInput) { read::<UncertainLine, 27>(&text) }
+    fn ab_line_out(line: UncertainLine) { shown(&line) }
+    fn ab_line_recv(message: Message) { received::<UncertainLine, 27>(&message) }
+    fn ab_line_send(line: Numbers<UncertainLine, 27>) { sent(&line) }
+    fn ab_line_numbers(line: Numbers<UncertainLine, 27>) { listed(&line) }
+    fn ab_line_from_numbers(numbers: F64Array) { from_list::<UncertainLine, 27>(&numbers) }
 
-    fn ab_plane_in(text: TextInput) { read::<Plane, 16>(&text) }
-    fn ab_plane_out(plane: Plane) { shown(&plane) }
-    fn ab_plane_recv(message: Message) { received::<Plane, 16>(&message) }
-    fn ab_plane_send(plane: Numbers<Plane, 16>) { sent(&plane) }
-    fn ab_plane_numbers(plane: Numbers<Plane, 16>) { listed(&plane) }
-    fn ab_plane_from_numbers(numbers: F64Array) { from_list::<Plane, 16>(&numbers) }
+    fn ab_plane_in(text: TextInput) { read::<UncertainPlane, 16>(&text) }
+    fn ab_plane_out(plane: UncertainPlane) { shown(&plane) }
+    fn ab_plane_recv(message: Message) { received::<UncertainPlane, 16>(&message) }
+    fn ab_plane_send(plane: Numbers<UncertainPlane, 16>) { sent(&plane) }
+    fn ab_plane_numbers(plane: Numbers<UncertainPlane, 16>) { listed(&plane) }
+    fn ab_plane_from_numbers(numbers: F64Array) { from_list::<UncertainPlane, 16>(&numbers) }
 
-    fn ab_pose_in(text: TextInput) { read::<Pose, 36>(&text) }
-    fn ab_pose_out(pose: Pose) { shown(&pose) }
-    fn ab_pose_recv(message: Message) { received::<Pose, 36>(&message) }
-    fn ab_pose_send(pose: Numbers<Pose, 36>) { sent(&pose) }
-    fn ab_pose_numbers(pose: Numbers<Pose, 36>) { listed(&pose) }
-    fn ab_pose_from_numbers(numbers: F64Array) { from_list::<Pose, 36>(&numbers) }
+    fn ab_pose_in(text: TextInput) { read::<UncertainPose, 36>(&text) }
+    fn ab_pose_out(pose: UncertainPose) { shown(&pose) }
+    fn ab_pose_recv(message: Message) { received::<UncertainPose, 36>(&message) }
+    fn ab_pose_send(pose: Numbers<UncertainPose, 36>) { sent(&pose) }
+    fn ab_pose_numbers(pose: Numbers<UncertainPose, 36>) { listed(&pose) }
+    fn ab_pose_from_numbers(numbers: F64Array) { from_list::<UncertainPose, 36>(&numbers) }
 }

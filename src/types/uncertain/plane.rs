@@ -1,7 +1,7 @@
 //! `ab_plane`: constructors and accessors.
 
 use asbuilt_core::Error;
-use asbuilt_core::uncertain::{Line, Plane, Point, join};
+use asbuilt_core::uncertain::{UncertainLine, UncertainPlane, UncertainPoint, join};
 
 use super::ret;
 use crate::pg::{F64Array, SqlValue, sql_functions};
@@ -13,18 +13,18 @@ sql_functions! {
         let at = point.vector::<3>("the point of the plane")?.into();
         let normal = normal.vector::<3>("the normal of the plane")?.into();
         let Some(covariance) = covariance else {
-            return ret(&Plane::tilted(at, normal, sd_offset, sd_tilt)?);
+            return ret(&UncertainPlane::tilted(at, normal, sd_offset, sd_tilt)?);
         };
         if sd_offset != 0.0 || sd_tilt != 0.0 {
             return Err(Error::argument("sd_offset and sd_tilt", "left out where a covariance is given", "given"));
         }
-        ret(&Plane::new(at, normal, &covariance.square::<4>("the covariance of the plane")?)?)
+        ret(&UncertainPlane::new(at, normal, &covariance.square::<4>("the covariance of the plane")?)?)
     }
 
-    fn ab_plane_join(a: Point, b: Point, c: Point) { ret(&join::plane_through(&a, &b, &c)?) }
-    fn ab_plane_join_line(line: Line, point: Point) { ret(&join::plane_through_line(&line, &point)?) }
+    fn ab_plane_join(a: UncertainPoint, b: UncertainPoint, c: UncertainPoint) { ret(&join::plane_through(&a, &b, &c)?) }
+    fn ab_plane_join_line(line: UncertainLine, point: UncertainPoint) { ret(&join::plane_through_line(&line, &point)?) }
 
-    fn ab_plane_position(plane: Plane) { Ok(SqlValue::vector(plane.point)) }
-    fn ab_plane_normal(plane: Plane) { Ok(SqlValue::vector(plane.normal)) }
-    fn ab_plane_covariance(plane: Plane) { Ok(SqlValue::matrix(&plane.covariance)) }
+    fn ab_plane_position(plane: UncertainPlane) { Ok(SqlValue::vector(plane.point)) }
+    fn ab_plane_normal(plane: UncertainPlane) { Ok(SqlValue::vector(plane.normal)) }
+    fn ab_plane_covariance(plane: UncertainPlane) { Ok(SqlValue::matrix(&plane.covariance)) }
 }

@@ -2,14 +2,14 @@
 
 use asbuilt_core::Error;
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::uncertain::{Line, Point};
+use asbuilt_core::uncertain::{UncertainLine, UncertainPoint};
 
 use super::ret;
 use crate::pg::{F64Array, Field, SqlValue, sql_functions};
 use crate::types::box_bytes;
 use crate::types::overlap::INDEX_SIGMAS;
 
-fn sd(p: &Point) -> [f64; 3] {
+fn sd(p: &UncertainPoint) -> [f64; 3] {
     [0, 1, 2].map(|i| p.covariance[(i, i)].max(0.0).sqrt())
 }
 
@@ -17,41 +17,41 @@ sql_functions! {
     fn ab_point_make(x: f64, y: f64, z: f64, sd: f64, covariance: Option<F64Array>) {
         let position = Vec3::new(x, y, z);
         let Some(covariance) = covariance else {
-            return ret(&Point::isotropic(position, sd)?);
+            return ret(&UncertainPoint::isotropic(position, sd)?);
         };
         if sd != 0.0 {
             return Err(Error::argument("sd", "left out where a covariance is given", sd));
         }
-        ret(&Point::new(position, &covariance.square::<3>("the covariance of the point")?)?)
+        ret(&UncertainPoint::new(position, &covariance.square::<3>("the covariance of the point")?)?)
     }
 
-    fn ab_point_x(point: Point) { Ok(SqlValue::F64(point.position.x)) }
-    fn ab_point_y(point: Point) { Ok(SqlValue::F64(point.position.y)) }
-    fn ab_point_z(point: Point) { Ok(SqlValue::F64(point.position.z)) }
-    fn ab_point_position(point: Point) { Ok(SqlValue::vector(point.position)) }
-    fn ab_point_sd(point: Point) { Ok(SqlValue::vector(sd(&point))) }
-    fn ab_point_covariance(point: Point) { Ok(SqlValue::matrix(&point.covariance)) }
+    fn ab_point_x(point: UncertainPoint) { Ok(SqlValue::F64(point.position.x)) }
+    fn ab_point_y(point: UncertainPoint) { Ok(SqlValue::F64(point.position.y)) }
+    fn ab_point_z(point: UncertainPoint) { Ok(SqlValue::F64(point.position.z)) }
+    fn ab_point_position(point: UncertainPoint) { Ok(SqlValue::vector(point.position)) }
+    fn ab_point_sd(point: UncertainPoint) { Ok(SqlValue::vector(sd(&point))) }
+    fn ab_point_covariance(point: UncertainPoint) { Ok(SqlValue::matrix(&point.covariance)) }
 
-    fn ab_point_ellipsoid(rows: Rows; point: Point, probability: f64) {
+    fn ab_point_ellipsoid(rows: Rows; point: UncertainPoint, probability: f64) {
         for (half_axis, direction) in point.ellipsoid(probability)? {
             rows.push(&[Field::F64(half_axis), Field::Vector(direction.into())]);
         }
         Ok(SqlValue::Null)
     }
 
-    fn ab_point_box(point: Point, probability: f64) {
+    fn ab_point_box(point: UncertainPoint, probability: f64) {
         let factor = asbuilt_core::uncertain::covariance::confidence_factor(probability, 3)?;
         Ok(SqlValue::Fixed(box_bytes(&point.bounds(factor))))
     }
 
-    fn ab_line_box(line: Line, probability: f64) {
+    fn ab_line_box(line: UncertainLine, probability: f64) {
         let factor = asbuilt_core::uncertain::covariance::confidence_factor(probability, 3)?;
         Ok(SqlValue::Fixed(box_bytes(&line.bounds(factor))))
     }
 
-    fn ab_point_mahalanobis(a: Point, b: Point) { Ok(SqlValue::F64(a.mahalanobis(&b))) }
+    fn ab_point_mahalanobis(a: UncertainPoint, b: UncertainPoint) { Ok(SqlValue::F64(a.mahalanobis(&b))) }
 
-    fn ab_point_reach(point: Point, sigmas: f64) {
+    fn ab_point_reach(point: UncertainPoint, sigmas: f64) {
         if !(0.0..=INDEX_SIGMAS).contains(&sigmas) {
             return Err(Error::argument("the number of standard deviations", "between 0 and 5", sigmas));
         }

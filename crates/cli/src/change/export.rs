@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail};
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Aabb, Vec3};
-use asbuilt_core::voxel::Class;
+use asbuilt_core::voxel::ChangeClass;
 use las::{Builder, Color, Point, Transform, Vector, Writer};
 use ply_rs_bw::ply::{Addable, ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult};
 use ply_rs_bw::ply::{PropertyDef, PropertyType, ScalarType};
@@ -15,13 +15,13 @@ use ply_rs_bw::ply::{PropertyDef, PropertyType, ScalarType};
 use super::tiles::Tile;
 
 /// Red, green, blue.
-fn colour(class: Class) -> [u8; 3] {
+fn colour(class: ChangeClass) -> [u8; 3] {
     match class {
-        Class::Confirmed => [0, 160, 60],
-        Class::New => [255, 210, 0],
-        Class::Disappeared => [220, 30, 30],
-        Class::Unknown => [40, 90, 220],
-        Class::Ambiguous => [160, 160, 160],
+        ChangeClass::Confirmed => [0, 160, 60],
+        ChangeClass::New => [255, 210, 0],
+        ChangeClass::Disappeared => [220, 30, 30],
+        ChangeClass::Unknown => [40, 90, 220],
+        ChangeClass::Ambiguous => [160, 160, 160],
     }
 }
 
@@ -101,7 +101,7 @@ impl Sink {
         }
     }
 
-    fn push(&mut self, at: &Vec3, class: Class) -> Result<()> {
+    fn push(&mut self, at: &Vec3, class: ChangeClass) -> Result<()> {
         match self {
             Self::Ply { out, writer, vertex } => {
                 writer.write_little_endian_element(out, &Voxel { at: *at, class }, vertex)?;
@@ -143,7 +143,7 @@ fn header(count: u64) -> Header {
     ["red", "green", "blue", "class"].iter().for_each(|name| property(name, ScalarType::UChar));
     let mut header = Header::new();
     header.encoding = Encoding::BinaryLittleEndian;
-    let classes: Vec<String> = Class::ALL.iter().map(|c| format!("{} {}", *c as u8, c.name())).collect();
+    let classes: Vec<String> = ChangeClass::ALL.iter().map(|c| format!("{} {}", *c as u8, c.name())).collect();
     header.comments.push(format!("asbuilt change; class: {}", classes.join(", ")));
     header.elements.add(vertex);
     header
@@ -152,12 +152,12 @@ fn header(count: u64) -> Header {
 /// A voxel as the library asks for it.
 struct Voxel {
     at: Vec3,
-    class: Class,
+    class: ChangeClass,
 }
 
 impl PropertyAccess for Voxel {
     fn new() -> Self {
-        Self { at: Vec3::zeros(), class: Class::Unknown }
+        Self { at: Vec3::zeros(), class: ChangeClass::Unknown }
     }
 
     fn set_property(&mut self, _: &str, _: Property) -> PropertyAccessResult {

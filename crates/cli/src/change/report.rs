@@ -1,7 +1,7 @@
 //! Objects, components and totals, printed.
 
 use anyhow::Result;
-use asbuilt_core::voxel::Component;
+use asbuilt_core::voxel::ChangeComponent;
 use serde_json::{Map, Value, json};
 
 use super::tally::{Counted, Report};
@@ -36,7 +36,7 @@ impl Report {
             Value::Object(o)
         };
         let place = |v: &[f64]| v.iter().map(|x| rounded(Some(*x), 6)).collect::<Vec<_>>();
-        let component = |(class, c, objects): &(&str, Component, Vec<String>)| {
+        let component = |(class, c, objects): &(&str, ChangeComponent, Vec<String>)| {
             json!({"class": class, "voxels": c.voxels, "volume_m3": rounded(Some(self.volume(c.voxels)), 6),
                    "box": {"min": place(&c.bounds.min), "max": place(&c.bounds.max)},
                    "centroid": place(c.centroid.as_slice()), "objects": objects})

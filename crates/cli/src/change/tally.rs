@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use asbuilt_core::geometry::{Aabb, Solid};
-use asbuilt_core::voxel::{Change, Class, Component, Grid, Mask, Rule};
+use asbuilt_core::voxel::{Change, ChangeClass, ChangeComponent, FillRule, Grid, VoxelSet};
 use asbuilt_core::{AtOnce, NEVER};
 use postgres::{Row, Transaction};
 use rayon::prelude::*;
@@ -17,8 +17,8 @@ use crate::output::say;
 pub struct Report {
     pub objects: Vec<Counted>,
     /// Class, component, and the building objects whose boxes it meets.
-    pub components: Vec<(&'static str, Component, Vec<String>)>,
-    /// Voxels by class, in the order of [`Class::ALL`].
+    pub components: Vec<(&'static str, ChangeComponent, Vec<String>)>,
+    /// Voxels by class, in the order of [`ChangeClass::ALL`].
     pub total: [u64; 5],
     /// Cubic metres.
     pub voxel_volume: f64,
@@ -67,7 +67,7 @@ impl Report {
         let gap = parts.gap.unwrap_or(4.0 * whole.grid().voxel);
         let most = AtOnce(usize::try_from(memory::budget() / 4).unwrap_or(usize::MAX));
         let mut found = Vec::new();
-        for class in [Class::New, Class::Disappeared] {
+        for class in [ChangeClass::New, ChangeClass::Disappeared] {
             match whole.components(class, parts.least, gap, &most) {
                 Ok(some) => found.extend(some),
                 Err(error @ asbuilt_core::Error::Argument { .. }) => return Err(error.into()),
@@ -101,8 +101,8 @@ impl Counted {
         let Some(solid) = self.solid.as_ref().filter(|s| s.bounds().overlaps(near)) else { return Ok(()) };
         let grid = change.grid();
         let grid = Grid { tile: grid.tile.expanded(tolerance + grid.voxel), ..*grid };
-        let rule = if solid.volume().is_ok() { Rule::Cover } else { Rule::Surface };
-        let mask = Mask::of(solid, &grid, rule, NEVER)?;
+        let rule = if solid.volume().is_ok() { FillRule::Cover } else { FillRule::Surface };
+        let mask = VoxelSet::of(solid, &grid, rule, NEVER)?;
         add(&mut self.voxels, &change.tally(Some(&mask), tolerance, NEVER)?.voxels);
         Ok(())
     }

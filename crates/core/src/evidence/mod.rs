@@ -30,5 +30,5 @@ pub use measure::Criterion;
 pub use pool::Pool;
 pub use preset::SensorPreset;
 pub use ray_model::RayModel;
-pub use rule::Rule;
+pub use rule::CombinationRule;
 pub use sensor::SurfaceObservation;

@@ -1,9 +1,9 @@
 //! Any number of sources combined at once, in any order.
 
-use super::rule::{Rule, Weights};
+use super::rule::{CombinationRule, Weights};
 use super::{Hypothesis, Mass};
 use crate::error::{Error, Result};
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 
 /// A sum with twice the precision (Knuth's two-sum): of the logarithms of a product's factors, and how many were ln 0.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -54,7 +54,7 @@ impl LogProduct {
 /// cautious one the least weights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pool {
-    rule: Rule,
+    rule: CombinationRule,
     count: u64,
     /// Products of q or b of occupied, of empty and of the third set (Θ, or ∅ for the disjunctive rule).
     occupied: LogProduct,
@@ -66,9 +66,9 @@ pub struct Pool {
 }
 
 impl Pool {
-    /// No source yet. [`Rule::Pcr6`] needs all combinations of its sources, 3ⁿ, and is refused.
-    pub fn new(rule: Rule) -> Result<Self> {
-        if rule == Rule::Pcr6 {
+    /// No source yet. [`CombinationRule::Pcr6`] needs all combinations of its sources, 3ⁿ, and is refused.
+    pub fn new(rule: CombinationRule) -> Result<Self> {
+        if rule == CombinationRule::Pcr6 {
             let expected = "one that needs no list of its sources (combine two by two, in an order you state)";
             return Err(Error::argument("the rule of an aggregate", expected, "'pcr6'"));
         }
@@ -77,12 +77,12 @@ impl Pool {
     }
 
     /// The rule.
-    pub fn rule(&self) -> Rule {
+    pub fn rule(&self) -> CombinationRule {
         self.rule
     }
 
     /// The error for a group with two rules.
-    pub fn other_rule(a: Rule, b: Rule) -> Error {
+    pub fn other_rule(a: CombinationRule, b: CombinationRule) -> Error {
         let expected = "the same for all rows of a group";
         Error::argument("the rule of combination", expected, format!("{} and {}", a.name(), b.name()))
     }
@@ -91,11 +91,11 @@ impl Pool {
     pub fn add(&mut self, m: &Mass) -> Result<()> {
         self.count += 1;
         match self.rule {
-            Rule::Murphy => {
+            CombinationRule::Murphy => {
                 self.sums.iter_mut().zip([m.occupied, m.empty, m.unknown]).for_each(|(sum, x)| sum.add(x));
             }
-            Rule::Cautious => self.weights = self.weights.least(&Weights::of(m)?),
-            Rule::Disjunctive => {
+            CombinationRule::Cautious => self.weights = self.weights.least(&Weights::of(m)?),
+            CombinationRule::Disjunctive => {
                 let none = m.contradiction();
                 self.occupied.multiply(none + m.occupied);
                 self.empty.multiply(none + m.empty);
@@ -130,15 +130,15 @@ impl Pool {
             return Ok(None);
         }
         Ok(Some(match self.rule {
-            Rule::Murphy => return self.murphy().map(Some),
-            Rule::Cautious => self.weights.mass()?,
-            Rule::Disjunctive => {
+            CombinationRule::Murphy => return self.murphy().map(Some),
+            CombinationRule::Cautious => self.weights.mass()?,
+            CombinationRule::Disjunctive => {
                 let none = self.third.value();
                 let (occupied, empty) = (self.occupied.value() - none, self.empty.value() - none);
                 Mass { occupied, empty, unknown: (1.0 - occupied - empty - none).max(0.0) }
             }
-            Rule::Dempster => self.normalised()?,
-            Rule::Conjunctive => self.conjunctive(),
+            CombinationRule::Dempster => self.normalised()?,
+            CombinationRule::Conjunctive => self.conjunctive(),
             _ => self.conjunctive().with_conflict_unknown(),
         }))
     }
@@ -170,7 +170,7 @@ impl Pool {
         let n = self.count as f64;
         let [occupied, empty, unknown] = self.sums.map(|s| (s.high + s.low) / n);
         let mean = Mass { occupied, empty, unknown };
-        let mut dempster = Self::new(Rule::Dempster)?;
+        let mut dempster = Self::new(CombinationRule::Dempster)?;
         dempster.add(&mean)?;
         for q in [&mut dempster.occupied, &mut dempster.empty, &mut dempster.third] {
             q.high *= n;
@@ -198,9 +198,9 @@ impl Pool {
 
     /// Reads the form from another parallel worker.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
-        let mut r = Reader::new(bytes, "the state of ab_combine_agg");
+        let mut r = ByteReader::new(bytes, "the state of ab_combine_agg");
         let rule = r.u32()?;
-        let rule = *Rule::ALL.get(rule as usize).ok_or_else(|| r.bad(format!("unknown rule {rule}")))?;
+        let rule = *CombinationRule::ALL.get(rule as usize).ok_or_else(|| r.bad(format!("unknown rule {rule}")))?;
         let count = r.i64()? as u64;
         let mut product = || Ok(LogProduct { high: r.f64()?, low: r.f64()?, zeros: r.i64()? as u64 });
         let (occupied, empty, third) = (product()?, product()?, product()?);
@@ -244,7 +244,7 @@ mod tests {
         state.map(|s| s / &n)
     }
 
-    fn pooled(rule: Rule, masses: &[Mass]) -> Mass {
+    fn pooled(rule: CombinationRule, masses: &[Mass]) -> Mass {
         let mut pool = Pool::new(rule).unwrap();
         masses.iter().for_each(|m| pool.add(m).unwrap());
         pool.mass().unwrap().unwrap()
@@ -262,7 +262,7 @@ mod tests {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
         for n in [1, 2, 3, 10, 60] {
             let masses: Vec<Mass> = (0..n).map(|_| dyadic(&mut rng)).collect();
-            let (got, want) = (pooled(Rule::Dempster, &masses), exact(&masses));
+            let (got, want) = (pooled(CombinationRule::Dempster, &masses), exact(&masses));
             for (g, w) in [got.occupied, got.empty, got.unknown].into_iter().zip(want) {
                 let off = (rational(g) - &w).to_f64().unwrap().abs();
                 assert!(off <= 1e-15 + 1e-12 * w.to_f64().unwrap(), "{n}: {g} is off by {off:e}");
@@ -273,14 +273,19 @@ mod tests {
     #[test]
     fn equals_pairwise_for_associative_rules() {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(2);
-        for rule in [Rule::Dempster, Rule::Conjunctive, Rule::Disjunctive, Rule::Cautious] {
+        for rule in [
+            CombinationRule::Dempster,
+            CombinationRule::Conjunctive,
+            CombinationRule::Disjunctive,
+            CombinationRule::Cautious,
+        ] {
             let masses: Vec<Mass> = (0..7).map(|_| dyadic(&mut rng)).collect();
             let pairwise = masses[1..].iter().fold(masses[0], |a, b| rule.combine(&a, b).unwrap());
             let got = pooled(rule, &masses);
             assert!((got.occupied - pairwise.occupied).abs() < 1e-13, "{rule:?}: {got:?} {pairwise:?}");
             assert!((got.empty - pairwise.empty).abs() < 1e-13, "{rule:?}: {got:?} {pairwise:?}");
         }
-        for rule in Rule::ALL.into_iter().filter(|r| *r != Rule::Pcr6) {
+        for rule in CombinationRule::ALL.into_iter().filter(|r| *r != CombinationRule::Pcr6) {
             let two = [dyadic(&mut rng), dyadic(&mut rng)];
             let (got, want) = (pooled(rule, &two), rule.combine(&two[0], &two[1]).unwrap());
             assert!((got.occupied - want.occupied).abs().max((got.unknown - want.unknown).abs()) < 1e-14, "{rule:?}");
@@ -298,7 +303,7 @@ mod tests {
         let mut all: Vec<Mass> = half.iter().copied().chain(mirrored).collect();
         // They cancel, so that one further source decides.
         all.push(Mass::new(0.6, 0.1).unwrap());
-        for rule in [Rule::Dempster, Rule::Murphy] {
+        for rule in [CombinationRule::Dempster, CombinationRule::Murphy] {
             let first = pooled(rule, &all);
             for _ in 0..3 {
                 all.shuffle(&mut rng);
@@ -314,7 +319,7 @@ mod tests {
                 let tolerance = 1e-10;
                 assert!((again.occupied - first.occupied).abs() < tolerance, "{rule:?}: {first:?} {again:?}");
             }
-            if rule == Rule::Dempster {
+            if rule == CombinationRule::Dempster {
                 // What is left is the last source's odds: (0.6+0.3)/(0.1+0.3).
                 assert!((first.occupied / first.empty - 0.9 / 0.4).abs() < 1e-9, "{first:?}");
             }
@@ -324,7 +329,7 @@ mod tests {
     #[test]
     fn certainty_conflict_and_nothing() {
         let pool = |masses: &[Mass]| {
-            let mut p = Pool::new(Rule::Dempster).unwrap();
+            let mut p = Pool::new(CombinationRule::Dempster).unwrap();
             masses.iter().for_each(|m| p.add(m).unwrap());
             p.mass()
         };
@@ -334,6 +339,6 @@ mod tests {
         assert_eq!(pool(&[o, some]).unwrap().unwrap(), o);
         assert_eq!(pool(&[e, some, e]).unwrap().unwrap(), e);
         assert_eq!(pool(&[o, e]), Err(Error::TotalConflict));
-        assert!(Pool::new(Rule::Pcr6).is_err());
+        assert!(Pool::new(CombinationRule::Pcr6).is_err());
     }
 }

@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 
 /// How two bodies of evidence become one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Rule {
+pub enum CombinationRule {
     /// Dempster 1967: conflict is divided out. For distinct, reliable sources. Associative.
     Dempster,
     /// Smets 1990 (TBM): conflict stays, as mass of the empty set. Associative.
@@ -30,7 +30,7 @@ pub enum Rule {
     Cautious,
 }
 
-impl Rule {
+impl CombinationRule {
     /// All rules.
     pub const ALL: [Self; 8] = [
         Self::Dempster,
@@ -159,25 +159,33 @@ mod tests {
     proptest! {
         #[test]
         fn laws(a in any_mass(), b in any_mass(), c in any_mass()) {
-            for rule in Rule::ALL {
+            for rule in CombinationRule::ALL {
                 let f = |x: &Mass, y: &Mass| rule.combine(x, y).unwrap();
                 let ab = f(&a, &b);
                 prop_assert!(off(&ab, &f(&b, &a)) < 1e-13, "{rule:?} commutes");
                 let sum = ab.occupied + ab.empty + ab.unknown + ab.contradiction();
                 prop_assert!((sum - 1.0).abs() < 1e-9 && ab.occupied >= 0.0 && ab.empty >= 0.0 && ab.unknown >= 0.0);
-                if rule != Rule::Conjunctive {
+                if rule != CombinationRule::Conjunctive {
                     prop_assert!((ab.occupied + ab.empty + ab.unknown - 1.0).abs() < 1e-12, "{rule:?} sums to 1");
                 }
-                if matches!(rule, Rule::Dempster | Rule::Conjunctive | Rule::Disjunctive | Rule::Cautious) {
+                if matches!(
+                    rule,
+                    CombinationRule::Dempster
+                        | CombinationRule::Conjunctive
+                        | CombinationRule::Disjunctive
+                        | CombinationRule::Cautious
+                ) {
                     prop_assert!(off(&f(&ab, &c), &f(&a, &f(&b, &c))) < 1e-12, "{rule:?} associates");
                 }
-                let neutral = !matches!(rule, Rule::Disjunctive | Rule::Murphy);
+                let neutral = !matches!(rule, CombinationRule::Disjunctive | CombinationRule::Murphy);
                 if neutral {
                     prop_assert!(off(&f(&a, &Mass::VACUOUS), &a) < 1e-12, "{rule:?} is not moved by ignorance");
                 }
             }
-            prop_assert!(off(&Rule::Cautious.combine(&a, &a).unwrap(), &a) < 1e-12, "cautious is idempotent");
-            for m in [a, Mass::new(a.occupied, 1.0 - a.occupied).unwrap(), Rule::Conjunctive.combine(&a, &b).unwrap()] {
+            let twice = CombinationRule::Cautious.combine(&a, &a).unwrap();
+            prop_assert!(off(&twice, &a) < 1e-12, "cautious is idempotent");
+            let committed = Mass::new(a.occupied, 1.0 - a.occupied).unwrap();
+            for m in [a, committed, CombinationRule::Conjunctive.combine(&a, &b).unwrap()] {
                 prop_assert_eq!(m.discounted(1.0), m);
                 let half = m.discounted(0.5);
                 prop_assert!(half.unknown >= 0.0 && (half.contradiction() - 0.5 * m.contradiction()).abs() < 2e-9);
@@ -190,36 +198,37 @@ mod tests {
     fn by_hand() {
         let (a, b) = (Mass::new(0.6, 0.1).unwrap(), Mass::new(0.2, 0.5).unwrap());
         // Conjunctive: o = .6·.5+.3·.2 = .36, e = .1·.8+.3·.5 = .23, u = .09, conflict .6·.5+.1·.2 = .32.
-        let check = |rule: Rule, o: f64, e: f64, u: f64| {
+        let check = |rule: CombinationRule, o: f64, e: f64, u: f64| {
             let m = rule.combine(&a, &b).unwrap();
             let want = Mass { occupied: o, empty: e, unknown: u };
             assert!(off(&m, &want) < 1e-14, "{rule:?}: {m:?}");
         };
-        check(Rule::Dempster, 0.36 / 0.68, 0.23 / 0.68, 0.09 / 0.68);
-        check(Rule::Conjunctive, 0.36, 0.23, 0.09);
-        assert!((Rule::Conjunctive.combine(&a, &b).unwrap().contradiction() - 0.32).abs() < 1e-14);
-        check(Rule::Disjunctive, 0.12, 0.05, 0.83);
-        check(Rule::Yager, 0.36, 0.23, 0.41);
-        check(Rule::DuboisPrade, 0.36, 0.23, 0.41);
+        check(CombinationRule::Dempster, 0.36 / 0.68, 0.23 / 0.68, 0.09 / 0.68);
+        check(CombinationRule::Conjunctive, 0.36, 0.23, 0.09);
+        assert!((CombinationRule::Conjunctive.combine(&a, &b).unwrap().contradiction() - 0.32).abs() < 1e-14);
+        check(CombinationRule::Disjunctive, 0.12, 0.05, 0.83);
+        check(CombinationRule::Yager, 0.36, 0.23, 0.41);
+        check(CombinationRule::DuboisPrade, 0.36, 0.23, 0.41);
         // PCR: .6·.5 gives .18/1.1·.. to occupied .36·.5/1.1, to empty .6·.25/1.1; .2·.1 gives .04·.1/.3 and .2·.01/.3.
-        check(Rule::Pcr6, 0.36 + 0.18 / 1.1 + 0.004 / 0.3, 0.23 + 0.15 / 1.1 + 0.002 / 0.3, 0.09);
+        check(CombinationRule::Pcr6, 0.36 + 0.18 / 1.1 + 0.004 / 0.3, 0.23 + 0.15 / 1.1 + 0.002 / 0.3, 0.09);
         // Average (.4, .3, .3) with itself: o = .16+.24 = .4, e = .09+.18 = .27, u = .09, sum .76.
-        check(Rule::Murphy, 0.4 / 0.76, 0.27 / 0.76, 0.09 / 0.76);
+        check(CombinationRule::Murphy, 0.4 / 0.76, 0.27 / 0.76, 0.09 / 0.76);
         // Weights: w_o = min(.3/.9, .3/.5) = 1/3, w_e = min(.3/.4, .3/.8) = 3/8.
         let n = 0.375 * 2.0 / 3.0 + 0.625 / 3.0 + 0.125;
-        check(Rule::Cautious, 0.25 / n, 0.625 / 3.0 / n, 0.125 / n);
+        check(CombinationRule::Cautious, 0.25 / n, 0.625 / 3.0 / n, 0.125 / n);
     }
 
     #[test]
     fn contradiction_and_certainty() {
         let (o, e) = (Mass::new(1.0, 0.0).unwrap(), Mass::new(0.0, 1.0).unwrap());
-        assert_eq!(Rule::Dempster.combine(&o, &e), Err(Error::TotalConflict));
-        assert_eq!(Rule::Conjunctive.combine(&o, &e).unwrap().contradiction(), 1.0);
-        assert_eq!(Rule::Yager.combine(&o, &e).unwrap(), Mass::VACUOUS);
-        assert_eq!(Rule::Disjunctive.combine(&o, &e).unwrap(), Mass::VACUOUS);
-        assert_eq!(Rule::Pcr6.combine(&o, &e).unwrap(), Mass { occupied: 0.5, empty: 0.5, unknown: 0.0 });
-        assert!(Rule::Cautious.combine(&o, &e).is_err() && Rule::parse("bayes").is_err());
-        let m = Rule::Conjunctive.combine(&Mass::new(0.9, 0.0).unwrap(), &Mass::new(0.0, 0.7).unwrap()).unwrap();
+        assert_eq!(CombinationRule::Dempster.combine(&o, &e), Err(Error::TotalConflict));
+        assert_eq!(CombinationRule::Conjunctive.combine(&o, &e).unwrap().contradiction(), 1.0);
+        assert_eq!(CombinationRule::Yager.combine(&o, &e).unwrap(), Mass::VACUOUS);
+        assert_eq!(CombinationRule::Disjunctive.combine(&o, &e).unwrap(), Mass::VACUOUS);
+        assert_eq!(CombinationRule::Pcr6.combine(&o, &e).unwrap(), Mass { occupied: 0.5, empty: 0.5, unknown: 0.0 });
+        assert!(CombinationRule::Cautious.combine(&o, &e).is_err() && CombinationRule::parse("bayes").is_err());
+        let m =
+            CombinationRule::Conjunctive.combine(&Mass::new(0.9, 0.0).unwrap(), &Mass::new(0.0, 0.7).unwrap()).unwrap();
         assert_eq!(Mass::from_text(&m.to_text()).unwrap(), m);
     }
 }

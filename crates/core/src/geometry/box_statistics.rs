@@ -16,7 +16,7 @@ const NUMBERS: usize = 10;
 
 /// How one box lies relative to another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Relation {
+pub enum BoxRelation {
     /// They have a point in common.
     Overlaps,
     /// It holds the other.
@@ -27,7 +27,7 @@ pub enum Relation {
 
 /// Boxes of one cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Cell {
+struct BoxCluster {
     /// Share of all boxes.
     share: f64,
     /// Box of the centres, metres.
@@ -39,7 +39,7 @@ struct Cell {
 /// Statistics of a column of boxes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BoxStatistics {
-    cells: Vec<Cell>,
+    cells: Vec<BoxCluster>,
 }
 
 impl BoxStatistics {
@@ -49,32 +49,34 @@ impl BoxStatistics {
             boxes.iter().map(features).filter(|f| f.iter().all(|x| x.is_finite())).collect();
         let total = features.len() as f64;
         let mut cells = Vec::new();
-        partition(&mut features, CELLS, &mut |own| cells.push(Cell::of(own, own.len() as f64 / total)));
+        partition(&mut features, CELLS, &mut |own| cells.push(BoxCluster::of(own, own.len() as f64 / total)));
         (!cells.is_empty()).then_some(Self { cells })
     }
 
     /// Share of the boxes that lie in this relation to `query`.
-    pub fn selectivity(&self, query: &Aabb, relation: Relation) -> f64 {
+    pub fn selectivity(&self, query: &Aabb, relation: BoxRelation) -> f64 {
         let Some(query) = Self::of(&[*query]) else { return 0.0 };
         self.join_selectivity(&query, relation, 0.0)
     }
 
     /// Share of the pairs that lie in this relation to each other; boxes no farther apart than `margin` metres overlap.
-    pub fn join_selectivity(&self, others: &Self, relation: Relation, margin: f64) -> f64 {
-        let of = |a: &Cell| others.cells.iter().map(|b| a.share * b.share * a.chance(b, relation, margin)).sum::<f64>();
+    pub fn join_selectivity(&self, others: &Self, relation: BoxRelation, margin: f64) -> f64 {
+        let of = |a: &BoxCluster| {
+            others.cells.iter().map(|b| a.share * b.share * a.chance(b, relation, margin)).sum::<f64>()
+        };
         self.cells.iter().map(of).sum::<f64>().clamp(0.0, 1.0)
     }
 
     /// As plain numbers, to be stored. Metres and shares.
     pub fn to_numbers(&self) -> Vec<f64> {
-        let numbers = |c: &Cell| [&[c.share][..], &c.centres.min, &c.centres.max, &c.sides].concat();
+        let numbers = |c: &BoxCluster| [&[c.share][..], &c.centres.min, &c.centres.max, &c.sides].concat();
         self.cells.iter().flat_map(numbers).collect()
     }
 
     /// The mirror of [`BoxStatistics::to_numbers`]; `None` for numbers that are no statistics. Metres and shares.
     pub fn from_numbers(numbers: &[f64]) -> Option<Self> {
         let (cells, rest) = numbers.as_chunks::<NUMBERS>();
-        let cell = |&[share, x, y, z, u, v, w, a, b, c]: &[f64; NUMBERS]| Cell {
+        let cell = |&[share, x, y, z, u, v, w, a, b, c]: &[f64; NUMBERS]| BoxCluster {
             share,
             centres: Aabb { min: [x, y, z], max: [u, v, w] },
             sides: [a, b, c],
@@ -109,7 +111,7 @@ fn partition(own: &mut [[f64; 6]], cells: usize, emit: &mut impl FnMut(&[[f64; 6
     }
 }
 
-impl Cell {
+impl BoxCluster {
     fn of(own: &[[f64; 6]], share: f64) -> Self {
         let mut centres = Aabb::EMPTY;
         own.iter().for_each(|f| centres.grow(&[f[0], f[1], f[2]].into()));
@@ -118,14 +120,14 @@ impl Cell {
     }
 
     /// Probability that a box of this cell lies in this relation to one of the other.
-    fn chance(&self, o: &Self, relation: Relation, margin: f64) -> f64 {
+    fn chance(&self, o: &Self, relation: BoxRelation, margin: f64) -> f64 {
         (0..3)
             .map(|i| {
                 let (mine, theirs) = (self.sides[i], o.sides[i]);
                 let reach = match relation {
-                    Relation::Overlaps => 0.5 * (mine + theirs) + margin,
-                    Relation::Contains => 0.5 * (mine - theirs),
-                    Relation::Contained => 0.5 * (theirs - mine),
+                    BoxRelation::Overlaps => 0.5 * (mine + theirs) + margin,
+                    BoxRelation::Contains => 0.5 * (mine - theirs),
+                    BoxRelation::Contained => 0.5 * (theirs - mine),
                 };
                 let interval = |c: &Self| [c.centres.min[i], c.centres.max[i]];
                 near(interval(self), interval(o), reach)
@@ -225,14 +227,14 @@ mod tests {
         assert_eq!(BoxStatistics::from_numbers(&p.to_numbers()).unwrap(), p);
         // Containment follows the spread of sizes, of which a cell knows only the mean.
         for (relation, truth, within) in [
-            (Relation::Overlaps, counted(&patches, &objects, Aabb::overlaps), 0.3),
-            (Relation::Contains, counted(&patches, &objects, Aabb::contains), 0.5),
+            (BoxRelation::Overlaps, counted(&patches, &objects, Aabb::overlaps), 0.3),
+            (BoxRelation::Contains, counted(&patches, &objects, Aabb::contains), 0.5),
         ] {
             let estimate = p.join_selectivity(&o, relation, 0.0);
             assert!(truth > 0.0 && (estimate / truth).ln().abs() < within, "{relation:?}: {estimate} for {truth}");
         }
-        let mirrored = o.join_selectivity(&p, Relation::Contained, 0.0);
-        assert!((mirrored - p.join_selectivity(&o, Relation::Contains, 0.0)).abs() < 1e-12);
+        let mirrored = o.join_selectivity(&p, BoxRelation::Contained, 0.0);
+        assert!((mirrored - p.join_selectivity(&o, BoxRelation::Contains, 0.0)).abs() < 1e-12);
     }
 
     #[test]
@@ -241,7 +243,7 @@ mod tests {
         let p = BoxStatistics::of(&patches[..2000]).unwrap();
         let (mut sum, mut truth) = (0.0, 0.0);
         for query in &objects[..200] {
-            sum += p.selectivity(query, Relation::Overlaps);
+            sum += p.selectivity(query, BoxRelation::Overlaps);
             truth += counted(&patches, &[*query], Aabb::overlaps);
         }
         assert!((sum / truth).ln().abs() < 0.3, "{sum} for {truth}");
@@ -255,7 +257,7 @@ mod tests {
             .collect();
         let t = BoxStatistics::of(&tiny).unwrap();
         let expected = (0.005f64 / 10.0).powi(3);
-        let got = t.join_selectivity(&t, Relation::Overlaps, 0.0);
+        let got = t.join_selectivity(&t, BoxRelation::Overlaps, 0.0);
         assert!((got / expected).ln().abs() < 0.3, "{got} for {expected}");
     }
 
@@ -263,14 +265,14 @@ mod tests {
     fn degenerate_tables() {
         let b = Aabb { min: [1.0; 3], max: [2.0; 3] };
         let all = BoxStatistics::of(&[b; 1000]).unwrap();
-        assert_eq!(all.selectivity(&b, Relation::Overlaps), 1.0);
-        assert_eq!(all.selectivity(&b.expanded(1.0), Relation::Contained), 1.0);
-        assert_eq!(all.selectivity(&b.expanded(1.0), Relation::Contains), 0.0);
-        assert_eq!(all.selectivity(&Aabb { min: [3.0; 3], max: [4.0; 3] }, Relation::Overlaps), 0.0);
+        assert_eq!(all.selectivity(&b, BoxRelation::Overlaps), 1.0);
+        assert_eq!(all.selectivity(&b.expanded(1.0), BoxRelation::Contained), 1.0);
+        assert_eq!(all.selectivity(&b.expanded(1.0), BoxRelation::Contains), 0.0);
+        assert_eq!(all.selectivity(&Aabb { min: [3.0; 3], max: [4.0; 3] }, BoxRelation::Overlaps), 0.0);
         let far = Aabb { min: [1e300; 3], max: [1.1e300; 3] };
         let mixed = BoxStatistics::of(&[b, far, far, b, b, far, b, far, b]).unwrap();
         for other in [&all, &mixed] {
-            assert!((0.0..=1.0).contains(&mixed.join_selectivity(other, Relation::Overlaps, 0.0)));
+            assert!((0.0..=1.0).contains(&mixed.join_selectivity(other, BoxRelation::Overlaps, 0.0)));
         }
         assert!(BoxStatistics::of(&[]).is_none() && BoxStatistics::of(&[Aabb::EMPTY]).is_none());
         assert!(

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::triangulate::triangulate;
 use super::{Solid, Vec3};
 use crate::error::{Error, Result};
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::{Grow, Interrupt, poll_now_and_then};
 
 const TY: &str = "geometry";
@@ -61,8 +61,8 @@ impl Solid {
     /// Reads POLYHEDRALSURFACE Z, TIN Z, MULTIPOLYGON Z, POLYGON Z or TRIANGLE Z in EWKB or ISO WKB. Faces of more than
     /// three corners are cut into triangles; corners with the same coordinates become one vertex.
     pub fn from_ewkb(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
-        let mut cursor = Cursor { r: Reader::new(bytes, TY), big_endian: false };
-        let mut mesh = Mesh::default();
+        let mut cursor = Cursor { r: ByteReader::new(bytes, TY), big_endian: false };
+        let mut mesh = PolygonMesh::default();
         match cursor.head()? {
             ty @ (POLYGON | TRIANGLE) => mesh.add_face(&mut cursor, ty, interrupt)?,
             MULTIPOLYGON | POLYHEDRAL_SURFACE | TIN => {
@@ -86,7 +86,7 @@ impl Solid {
 
 /// Reads numbers in the byte order of the geometry at hand.
 struct Cursor<'a> {
-    r: Reader<'a>,
+    r: ByteReader<'a>,
     big_endian: bool,
 }
 
@@ -144,13 +144,13 @@ impl Cursor<'_> {
 
 /// A mesh being built.
 #[derive(Default)]
-struct Mesh {
+struct PolygonMesh {
     vertices: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
     number_of: HashMap<[u64; 3], u32>,
 }
 
-impl Mesh {
+impl PolygonMesh {
     fn number(&mut self, v: Vec3) -> u32 {
         // Zero has two forms.
         let key = v.map(|c| (c + 0.0).to_bits()).into();

@@ -68,7 +68,7 @@ pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
 /// Joins faces that meet at a blunt edge: the facets of a column, a pipe, a bent wall.
 fn smooth_surfaces(
     faces: &Faces,
-    planes: &[Option<Plane>],
+    planes: &[Option<TrianglePlane>],
     adjacency: &Adjacency,
     interrupt: Interrupt,
 ) -> Result<Vec<u32>> {
@@ -134,27 +134,27 @@ fn grow(
 }
 
 /// The triangles that have an area, largest first.
-fn largest_first(planes: &[Option<Plane>], interrupt: Interrupt) -> Result<Vec<u32>> {
+fn largest_first(planes: &[Option<TrianglePlane>], interrupt: Interrupt) -> Result<Vec<u32>> {
     // The bits of a positive number order as the number does.
-    let by_area = |(t, p): (usize, &Option<Plane>)| p.map(|p| (Reverse(p.area.to_bits()), t as u32));
+    let by_area = |(t, p): (usize, &Option<TrianglePlane>)| p.map(|p| (Reverse(p.area.to_bits()), t as u32));
     let mut order: Vec<_> = planes.iter().enumerate().filter_map(by_area).collect();
     sort(&mut order, interrupt)?;
     Ok(order.into_iter().map(|(_, t)| t).collect())
 }
 
-fn planes(solid: &Solid, interrupt: Interrupt) -> Result<Vec<Option<Plane>>> {
-    let plane = |t: usize| poll_now_and_then(t, interrupt).map(|()| Plane::of(solid, t));
+fn planes(solid: &Solid, interrupt: Interrupt) -> Result<Vec<Option<TrianglePlane>>> {
+    let plane = |t: usize| poll_now_and_then(t, interrupt).map(|()| TrianglePlane::of(solid, t));
     (0..solid.triangles().len()).map(plane).collect()
 }
 
 #[derive(Clone, Copy)]
-struct Plane {
+struct TrianglePlane {
     point: Vec3,
     normal: Vec3,
     area: f64,
 }
 
-impl Plane {
+impl TrianglePlane {
     fn of(solid: &Solid, t: usize) -> Option<Self> {
         let [a, b, c] = solid.corners(t);
         let n = (b - a).cross(&(c - a));

@@ -33,7 +33,7 @@ mod weld;
 
 pub use aabb::Aabb;
 pub(crate) use adjacency::Adjacency;
-pub use box_statistics::{BoxStatistics, Relation};
+pub use box_statistics::{BoxRelation, BoxStatistics};
 pub use closedness::Closedness;
 pub(crate) use coordinate::check_coordinates;
 pub use ewkb::SurfaceKind;

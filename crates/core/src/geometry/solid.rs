@@ -5,7 +5,7 @@ use super::coordinate::check_coordinates;
 use super::weld::weld;
 use super::{Aabb, Closedness, Vec3};
 use crate::error::{Error, Limited, Result};
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::num::sections::{self, BODY, HEADER, begin, checksum, header_end, put_section};
 use crate::{Grow, Interrupt, NEVER, poll_now_and_then};
 
@@ -188,7 +188,7 @@ impl Solid {
 
     fn mesh_of(bytes: &[u8], interrupt: Interrupt) -> Result<(Vec<Vec3>, Vec<[u32; 3]>)> {
         let (_, n_vertices, n_triangles) = Self::open(bytes)?;
-        let mut r = Reader::new(Self::payload_of(bytes, interrupt)?, TY);
+        let mut r = ByteReader::new(Self::payload_of(bytes, interrupt)?, TY);
         if r.remaining() as u64 != 24 * n_vertices as u64 + 12 * n_triangles as u64 {
             return Err(r.bad(format!("{n_vertices} vertices and {n_triangles} triangles do not fill its length")));
         }
@@ -216,8 +216,8 @@ impl Solid {
     }
 
     /// Numbers of vertices and triangles, and what follows them in the header.
-    fn open(bytes: &[u8]) -> Result<(Reader<'_>, usize, usize)> {
-        let mut r = Reader::new(bytes, TY);
+    fn open(bytes: &[u8]) -> Result<(ByteReader<'_>, usize, usize)> {
+        let mut r = ByteReader::new(bytes, TY);
         let version = r.u8()?;
         if r.u8()? != b'S' {
             return Err(r.bad("it does not start as a solid does"));
@@ -240,7 +240,7 @@ impl Solid {
         if bytes.first() == Some(&Self::VERSION) {
             return sections::read(bytes, TY, [HEADER, BODY], interrupt).map(|[_, body]| body);
         }
-        let mut r = Reader::new(bytes, TY);
+        let mut r = ByteReader::new(bytes, TY);
         let (_, expected) = (r.take(12)?, r.u32()?);
         r.take(Self::FLAT_HEADER_LEN - 16)?;
         let payload = r.take(r.remaining())?;

@@ -36,7 +36,7 @@ struct Sweep {
     tails: Vec<Aabb>,
 }
 
-struct Cut {
+struct SplitCandidate {
     at: usize,
     margins: f64,
     overlap: f64,
@@ -61,12 +61,12 @@ impl Sweep {
         Self { order, heads, tails }
     }
 
-    fn cuts(&self, least: usize) -> impl Iterator<Item = Cut> + '_ {
+    fn cuts(&self, least: usize) -> impl Iterator<Item = SplitCandidate> + '_ {
         let last = self.order.len().saturating_sub(least).max(least);
         (least..=last).filter(|&at| at < self.order.len()).map(|at| {
             let (l, r) = (&self.heads[at - 1], &self.tails[at]);
             let common = |i: usize| (l.max[i].min(r.max[i]) - l.min[i].max(r.min[i])).max(0.0);
-            Cut {
+            SplitCandidate {
                 at,
                 margins: l.margin() + r.margin(),
                 overlap: common(0) * common(1) * common(2),

@@ -8,7 +8,7 @@ use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 use super::Vec3;
 use crate::{Interrupt, Result, poll, room};
 
-type Plane = ConstrainedDelaunayTriangulation<Point2<f64>>;
+type PlaneTriangulation = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
 /// Corner numbers of triangles that fill a polygon, turning about `normal` as its outer ring does; `None` for rings
 /// that cross themselves or each other, or have fewer than three corners. `holes`: where each further ring starts.
@@ -23,7 +23,7 @@ pub fn triangulate(
 ) -> Result<Option<Vec<[usize; 3]>>> {
     // A corner of a triangulation: its place, six half-edges and two faces, their places in maps.
     room::<[u64; 64]>(corners.len(), interrupt)?;
-    let mut plane = Plane::new();
+    let mut plane = PlaneTriangulation::new();
     let Some((handles, corner_of)) = insert(corners, normal, &mut plane, interrupt)? else { return Ok(None) };
     let Some(parting) = parting_edges(&handles, holes, &mut plane, interrupt)? else { return Ok(None) };
     inside(&plane, &parting, &corner_of, interrupt).map(Some)
@@ -32,7 +32,12 @@ pub fn triangulate(
 /// Handle of every corner, and the first corner of every handle; `None` where the plane cannot hold them.
 type Inserted = (Vec<FixedVertexHandle>, HashMap<FixedVertexHandle, usize>);
 
-fn insert(corners: &[Vec3], normal: &Vec3, plane: &mut Plane, interrupt: Interrupt) -> Result<Option<Inserted>> {
+fn insert(
+    corners: &[Vec3],
+    normal: &Vec3,
+    plane: &mut PlaneTriangulation,
+    interrupt: Interrupt,
+) -> Result<Option<Inserted>> {
     let dropped = normal.iamax();
     let (u, v) = ((dropped + 1) % 3, (dropped + 2) % 3);
     // Seen from the normal's tip, the outer ring turns to the left.
@@ -63,7 +68,7 @@ fn representable(x: f64) -> f64 {
 fn parting_edges(
     handles: &[FixedVertexHandle],
     holes: &[usize],
-    plane: &mut Plane,
+    plane: &mut PlaneTriangulation,
     interrupt: Interrupt,
 ) -> Result<Option<Vec<bool>>> {
     let starts = std::iter::once(0).chain(holes.iter().copied());
@@ -95,7 +100,7 @@ fn parting_edges(
 
 /// The triangles that an odd number of such edges separates from the outside.
 fn inside(
-    plane: &Plane,
+    plane: &PlaneTriangulation,
     parting: &[bool],
     corner_of: &HashMap<FixedVertexHandle, usize>,
     interrupt: Interrupt,

@@ -6,12 +6,12 @@ use crate::error::{Error, Result};
 
 /// Reads little-endian values from a slice; a slice that is too short gives an error that names the type.
 #[derive(Debug, Clone)]
-pub struct Reader<'a> {
+pub struct ByteReader<'a> {
     rest: &'a [u8],
     ty: &'static str,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> ByteReader<'a> {
     /// A cursor at the start of `bytes`, for error messages about `ty`.
     pub fn new(bytes: &'a [u8], ty: &'static str) -> Self {
         Self { rest: bytes, ty }
@@ -101,7 +101,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Appends little-endian values to a byte vector; the mirror of [`Reader`].
+/// Appends little-endian values to a byte vector; the mirror of [`ByteReader`].
 pub trait Put {
     /// Appends raw bytes.
     fn put(&mut self, bytes: &[u8]);
@@ -157,7 +157,7 @@ mod tests {
             let mut v = Vec::new();
             v.put_varint(a);
             v.put_varint_signed(b);
-            let mut r = Reader::new(&v, "test");
+            let mut r = ByteReader::new(&v, "test");
             prop_assert_eq!(r.varint().unwrap(), a);
             prop_assert_eq!(r.varint_signed().unwrap(), b);
             r.finish().unwrap();
@@ -165,15 +165,15 @@ mod tests {
 
         #[test]
         fn damaged_varints_do_not_panic(bytes: Vec<u8>) {
-            let mut r = Reader::new(&bytes, "test");
+            let mut r = ByteReader::new(&bytes, "test");
             while r.varint().is_ok() {}
         }
     }
 
     #[test]
     fn short_input_is_an_error() {
-        assert!(Reader::new(&[1, 2, 3], "test").u32().is_err());
-        assert!(Reader::new(&[0xff; 11], "test").varint().is_err());
-        assert!(Reader::new(&[0], "test").finish().is_err());
+        assert!(ByteReader::new(&[1, 2, 3], "test").u32().is_err());
+        assert!(ByteReader::new(&[0xff; 11], "test").varint().is_err());
+        assert!(ByteReader::new(&[0], "test").finish().is_err());
     }
 }

@@ -6,7 +6,7 @@
 //! adds is a section: readers that do not know its tag skip it, unless the tag is [`REQUIRED`]; then they refuse the
 //! value.
 
-use super::bytes::{Put, Reader};
+use super::bytes::{ByteReader, Put};
 use crate::error::{Error, Limited, Result};
 use crate::{Interrupt, poll};
 
@@ -75,9 +75,9 @@ pub fn checksum(pieces: &[&[u8]], interrupt: Interrupt) -> Result<u32> {
 }
 
 /// The content of the header of a value of type `ty`, of which at least [`header_end`] bytes are there.
-pub fn header<'a>(bytes: &'a [u8], ty: &'static str, interrupt: Interrupt) -> Result<Reader<'a>> {
+pub fn header<'a>(bytes: &'a [u8], ty: &'static str, interrupt: Interrupt) -> Result<ByteReader<'a>> {
     match next(bytes, PREAMBLE, ty, interrupt)? {
-        (HEADER, content, _) => Ok(Reader::new(content, ty)),
+        (HEADER, content, _) => Ok(ByteReader::new(content, ty)),
         _ => Err(Error::binary(ty, "it does not begin with its header")),
     }
 }
@@ -109,7 +109,7 @@ pub fn read<'a, const N: usize>(
 
 /// Tag and content of the section at a place, and where it ends.
 fn next<'a>(bytes: &'a [u8], at: usize, ty: &'static str, interrupt: Interrupt) -> Result<(u32, &'a [u8], usize)> {
-    let mut r = Reader::new(bytes.get(at..).unwrap_or_default(), ty);
+    let mut r = ByteReader::new(bytes.get(at..).unwrap_or_default(), ty);
     let [tag, len, expected] = [r.u32()?, r.u32()?, r.u32()?];
     let content = r.take(len as usize)?;
     if checksum(&[preamble_of(bytes, at), &bytes[at..at + 8], content], interrupt)? != expected {

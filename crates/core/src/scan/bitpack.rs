@@ -10,7 +10,7 @@
 //! low bits (`width` × values, LSB first, padded to a byte), then per exception its place u8 and its value varint.
 
 use crate::error::Result;
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 
 /// Values in a block.
 pub const BLOCK: usize = 64;
@@ -19,12 +19,12 @@ const SLOPE_BITS: u32 = 12;
 
 /// A block's prediction apart from the preceding value: slope against the leading column, and the regular step.
 #[derive(Debug, Clone, Copy)]
-struct Model {
+struct BlockPredictor {
     slope: i16,
     reference: i32,
 }
 
-impl Model {
+impl BlockPredictor {
     /// How much the value should grow where the leading column grows by `lead`.
     fn step(self, lead: i32) -> i32 {
         self.along(lead).wrapping_add(self.reference)
@@ -42,7 +42,7 @@ pub fn pack(values: &[i32], lead: Option<&[i32]>, out: &mut Vec<u8>) {
     for (i, block) in values.chunks(BLOCK).enumerate() {
         let leading = lead.map(|l| &l[i * BLOCK..i * BLOCK + block.len()]);
         let slope = leading.map_or(0, |l| slope(l[l.len() / 2], block[block.len() / 2]));
-        let mut model = Model { slope, reference: 0 };
+        let mut model = BlockPredictor { slope, reference: 0 };
         let mut steps: Vec<i32> = residuals_of(block, leading, before, model).collect();
         let middle = steps.len() / 2;
         model.reference = *steps.select_nth_unstable(middle).1;
@@ -53,7 +53,7 @@ pub fn pack(values: &[i32], lead: Option<&[i32]>, out: &mut Vec<u8>) {
 }
 
 /// Reads `count` values that were packed with the leading column `lead`.
-pub fn unpack(r: &mut Reader, count: usize, lead: Option<&[i32]>) -> Result<Vec<i32>> {
+pub fn unpack(r: &mut ByteReader, count: usize, lead: Option<&[i32]>) -> Result<Vec<i32>> {
     let mut out = Vec::with_capacity(count);
     let mut before = [0i32; 2];
     let mut residuals = [0u32; BLOCK];
@@ -95,7 +95,7 @@ fn residuals_of<'a>(
     block: &'a [i32],
     lead: Option<&'a [i32]>,
     mut before: [i32; 2],
-    model: Model,
+    model: BlockPredictor,
 ) -> impl Iterator<Item = i32> + 'a {
     block.iter().enumerate().map(move |(i, &v)| {
         let l = lead.map_or(0, |l| l[i]);
@@ -123,7 +123,7 @@ fn best_width(residuals: &[u32]) -> u32 {
     (0..=32u32).min_by_key(|&w| residuals.len() * w as usize + 32 * longer_than[w as usize]).unwrap_or(32)
 }
 
-fn write_block(model: Model, led: bool, residuals: &[u32], out: &mut Vec<u8>) {
+fn write_block(model: BlockPredictor, led: bool, residuals: &[u32], out: &mut Vec<u8>) {
     let width = best_width(residuals);
     let fits = |z: u32| width == 32 || z >> width == 0;
     let exceptions: Vec<usize> = (0..residuals.len()).filter(|&i| !fits(residuals[i])).collect();
@@ -153,7 +153,7 @@ fn write_block(model: Model, led: bool, residuals: &[u32], out: &mut Vec<u8>) {
 }
 
 /// Fills the first `n` of `residuals` from the next block and returns its model.
-fn read_block(r: &mut Reader, led: bool, n: usize, residuals: &mut [u32; BLOCK]) -> Result<Model> {
+fn read_block(r: &mut ByteReader, led: bool, n: usize, residuals: &mut [u32; BLOCK]) -> Result<BlockPredictor> {
     let (width, exceptions) = (u32::from(r.u8()?), r.u8()?);
     let Some(unpack) = UNPACK.get(width as usize) else {
         return Err(r.bad(format!("a block of {width} bits a value")));
@@ -172,7 +172,7 @@ fn read_block(r: &mut Reader, led: bool, n: usize, residuals: &mut [u32; BLOCK])
         };
         *slot = value;
     }
-    Ok(Model { slope, reference })
+    Ok(BlockPredictor { slope, reference })
 }
 
 /// A block at 32 bits per value, with room behind it so that every value can be read as eight bytes at once.
@@ -212,7 +212,7 @@ mod tests {
             let lead = led.then_some(&lead[..]);
             let mut bytes = Vec::new();
             pack(&values, lead, &mut bytes);
-            let mut r = Reader::new(&bytes, "t");
+            let mut r = ByteReader::new(&bytes, "t");
             prop_assert_eq!(unpack(&mut r, values.len(), lead).unwrap(), values);
             r.finish().unwrap();
         }
@@ -224,7 +224,7 @@ mod tests {
             led: bool,
         ) {
             let lead = vec![7; count];
-            let _ = unpack(&mut Reader::new(&bytes, "t"), count, led.then_some(&lead[..]));
+            let _ = unpack(&mut ByteReader::new(&bytes, "t"), count, led.then_some(&lead[..]));
         }
     }
 

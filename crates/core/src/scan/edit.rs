@@ -5,12 +5,12 @@ use std::collections::HashSet;
 
 use super::beam::MAX_BEAMS;
 use super::beams::Beams;
-use super::header::Header;
+use super::header::PatchHeader;
 use super::origins::Origins;
 use super::patch::Patch;
 use crate::error::{Error, Limited, Result};
 use crate::geometry::{Aabb, Vec3};
-use crate::uncertain::Pose;
+use crate::uncertain::UncertainPose;
 use crate::{Interrupt, poll_now_and_then};
 
 /// Most beams cut anew in one call: they are in memory, unpacked.
@@ -18,7 +18,7 @@ const MAX_RETILED: usize = 10_000_000;
 
 impl Patch {
     /// The beams, by number, for which `keep` is true; `None` where none is left.
-    pub fn filtered(bytes: &[u8], mut keep: impl FnMut(&Header, &Beams, usize) -> bool) -> Result<Option<Self>> {
+    pub fn filtered(bytes: &[u8], mut keep: impl FnMut(&PatchHeader, &Beams, usize) -> bool) -> Result<Option<Self>> {
         let (header, content) = Self::content_of(bytes)?;
         let kept: Vec<u32> = (0..content.len() as u32).filter(|&i| keep(&header, &content, i as usize)).collect();
         if kept.is_empty() { Ok(None) } else { Self::pack(&header.setting(), &content.select(&kept)).map(Some) }
@@ -26,7 +26,7 @@ impl Patch {
 
     /// Beams whose return lies in `bounds` (world metres).
     pub fn within(bytes: &[u8], bounds: &Aabb) -> Result<Option<Self>> {
-        if !Header::read(bytes)?.points.overlaps(bounds) {
+        if !PatchHeader::read(bytes)?.points.overlaps(bounds) {
             return Ok(None);
         }
         Self::filtered(bytes, |h, c, i| c.beams[i].returned && bounds.holds(&(c.end(i) + h.origin)))
@@ -34,7 +34,7 @@ impl Patch {
 
     /// Beams whose return is at least `min` and at most `max` metres away.
     pub fn between(bytes: &[u8], min: f64, max: f64) -> Result<Option<Self>> {
-        if Header::read(bytes)?.origins() == Origins::Unknown {
+        if PatchHeader::read(bytes)?.origins() == Origins::Unknown {
             let expected = "of beams whose origin is known";
             return Err(Error::argument("a filter by range", expected, "of points without origin"));
         }
@@ -55,7 +55,7 @@ impl Patch {
     }
 
     /// The patch seen through a pose; its covariance is not carried.
-    pub fn moved(bytes: &[u8], pose: &Pose) -> Result<Self> {
+    pub fn moved(bytes: &[u8], pose: &UncertainPose) -> Result<Self> {
         let (header, mut content) = Self::content_of(bytes)?;
         let linear = pose.matrix() * pose.scale;
         content.beams.iter_mut().for_each(|b| b.offset = linear * b.offset);
@@ -83,8 +83,8 @@ impl Patch {
 
 /// All beams of patches of one station, from the first one's origin, at the finest quantum of all; `None` where there
 /// is no patch.
-fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option<(Header, Beams)>> {
-    let mut all: Option<(Header, Beams)> = None;
+fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option<(PatchHeader, Beams)>> {
+    let mut all: Option<(PatchHeader, Beams)> = None;
     for (i, bytes) in patches.iter().enumerate() {
         poll_now_and_then(i, interrupt)?;
         let (header, mut content) = Patch::content_of(bytes)?;
@@ -153,8 +153,12 @@ mod tests {
     fn moved_there_and_back() {
         let bytes = patch();
         let q = UnitQuaternion::from_scaled_axis(Vec3::new(0.3, -0.2, 1.1));
-        let pose =
-            Pose::new([q.w, q.i, q.j, q.k], Vec3::new(10.0, -5.0, 2.0), 1.0, &crate::uncertain::Matrix7::zeros());
+        let pose = UncertainPose::new(
+            [q.w, q.i, q.j, q.k],
+            Vec3::new(10.0, -5.0, 2.0),
+            1.0,
+            &crate::uncertain::Matrix7::zeros(),
+        );
         let pose = pose.unwrap();
         let there = Patch::moved(&bytes, &pose).unwrap();
         let back = Patch::moved(&there.to_bytes(), &pose.inverse().unwrap()).unwrap();

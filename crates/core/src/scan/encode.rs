@@ -3,7 +3,7 @@
 use super::beam::{Beam, MAX_BEAMS};
 use super::beams::Beams;
 use super::cone::Cone;
-use super::header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M};
+use super::header::{JOIN_MARGIN_M, NO_RETURN_REACH_M, PatchHeader};
 use super::origins::Origins;
 use super::patch_spec::PatchSpec;
 use super::{bitpack, planes};
@@ -24,7 +24,7 @@ struct Quanta {
 }
 
 /// Header and payload.
-pub fn encode(setting: &PatchSpec, content: &Beams) -> Result<(Header, Vec<u8>)> {
+pub fn encode(setting: &PatchSpec, content: &Beams) -> Result<(PatchHeader, Vec<u8>)> {
     check(setting, content)?;
     let quanta = quantise(content, setting.quantum)?;
     let all_returned = content.beams.iter().all(|b| b.returned);
@@ -41,9 +41,9 @@ pub fn encode(setting: &PatchSpec, content: &Beams) -> Result<(Header, Vec<u8>)>
         pack_columns(starts, NO_LEAD, &mut payload);
     }
     planes::pack(content, &mut payload);
-    let no_origin = if setting.origins == Origins::Unknown { Header::FLAG_NO_ORIGIN } else { 0 };
-    let no_returns = if all_returned { 0 } else { Header::FLAG_NO_RETURNS };
-    let flags = Header::flags_of(content) | no_origin | no_returns;
+    let no_origin = if setting.origins == Origins::Unknown { PatchHeader::FLAG_NO_ORIGIN } else { 0 };
+    let no_returns = if all_returned { 0 } else { PatchHeader::FLAG_NO_RETURNS };
+    let flags = PatchHeader::flags_of(content) | no_origin | no_returns;
     let header = describe(flags, setting, &quanta.restored(content, setting.quantum))?;
     Ok((header, payload))
 }
@@ -153,7 +153,7 @@ impl Quanta {
 }
 
 /// The header of beams as a reader sees them.
-pub fn describe(flags: u8, setting: &PatchSpec, content: &Beams) -> Result<Header> {
+pub fn describe(flags: u8, setting: &PatchSpec, content: &Beams) -> Result<PatchHeader> {
     let PatchSpec { origins, station, origin, step, quantum } = *setting;
     let returned = || (0..content.len()).filter(|&i| content.beams[i].returned);
     let world: Vec<Vec3> = returned().map(|i| origin + content.end(i)).collect();
@@ -163,7 +163,7 @@ pub fn describe(flags: u8, setting: &PatchSpec, content: &Beams) -> Result<Heade
     let range = range.fold([f64::INFINITY, 0.0], |[lo, hi], r| [lo.min(r), hi.max(r)]);
     let range = if world.is_empty() { [0.0, 0.0] } else { [round_down(range[0]), round_up(range[1])] };
     let cone = if origins == Origins::One { cone(&content.beams)? } else { Cone::EVERYWHERE };
-    Ok(Header {
+    Ok(PatchHeader {
         flags,
         beams: content.len() as u32,
         returns: world.len() as u32,

@@ -7,7 +7,7 @@ use super::patch_spec::PatchSpec;
 use crate::NEVER;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::num::sections::{self, BODY, HEADER, begin, header_end, put_section};
 
 pub(super) const TY: &str = "ab_scan";
@@ -26,7 +26,7 @@ pub const NO_RETURN_REACH_M: f64 = 30.0;
 /// u8 after the letter, then beams, returns, payload length and CRC-32 u32, half-angle, step, range f32, (pad) u32, the
 /// rest as now, and the payload.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Header {
+pub struct PatchHeader {
     /// See the `FLAG_` constants.
     pub flags: u8,
     /// Beams, those without return included.
@@ -51,12 +51,12 @@ pub struct Header {
     pub cone: Cone,
 }
 
-impl Header {
+impl PatchHeader {
     /// Newest layout version that this release reads, and writes.
     pub const VERSION: u8 = 3;
     /// Bytes of its content in the header's section.
     const CONTENT: usize = 184;
-    /// Bytes that suffice for [`Header::read`], whatever the version.
+    /// Bytes that suffice for [`PatchHeader::read`], whatever the version.
     pub const LEN: usize = header_end(Self::CONTENT);
     /// Bytes of a header of versions 1 and 2.
     const FLAT_LEN: usize = 200;
@@ -147,9 +147,9 @@ impl Header {
         })
     }
 
-    /// Reads a header from the first [`Header::LEN`] bytes (or more) of a patch.
+    /// Reads a header from the first [`PatchHeader::LEN`] bytes (or more) of a patch.
     pub fn read(bytes: &[u8]) -> Result<Self> {
-        let mut r = Reader::new(bytes.get(..Self::LEN).unwrap_or(bytes), TY);
+        let mut r = ByteReader::new(bytes.get(..Self::LEN).unwrap_or(bytes), TY);
         let version = r.u8()?;
         if r.u8()? != b'P' {
             return Err(r.bad("it does not start as a scan patch does"));
@@ -173,7 +173,7 @@ impl Header {
 
     /// What follows the flags; `is_flat`: with length and checksum of the payload and a pad, as versions 1 and 2 have
     /// them.
-    fn read_fields(flags: u8, mut r: Reader, is_flat: bool) -> Result<Self> {
+    fn read_fields(flags: u8, mut r: ByteReader, is_flat: bool) -> Result<Self> {
         let [beams, returns] = [r.u32()?, r.u32()?];
         r.take(if is_flat { 8 } else { 0 })?;
         let half_angle = f64::from(r.f32()?);
@@ -195,7 +195,7 @@ impl Header {
         if bytes.first() == Some(&Self::VERSION) {
             return sections::read(bytes, TY, [HEADER, BODY], NEVER).map(|[_, body]| body);
         }
-        let mut r = Reader::new(bytes, TY);
+        let mut r = ByteReader::new(bytes, TY);
         r.take(12)?;
         let [len, checksum] = [r.u32()?, r.u32()?];
         let payload = bytes.get(Self::FLAT_LEN..).unwrap_or_default();

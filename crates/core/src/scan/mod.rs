@@ -1,7 +1,7 @@
 //! Beams of one scanner position, cut into angular tiles and packed.
 //!
 //! All beams of a terrestrial scan start at one point, so a tile of neighbouring directions is a narrow [`Cone`]. A
-//! [`Patch`] stores one tile: a [`Header`] that answers where it looks and how far, and a bit-packed payload. A
+//! [`Patch`] stores one tile: a [`PatchHeader`] that answers where it looks and how far, and a bit-packed payload. A
 //! [`RangeImage`] is the decoded tile as a small range image, in which "which beams pass near this point" is a question of
 //! two angles. Two other kinds are the same type on slower paths: beams of a moving platform, each with an origin of
 //! its own, and points whose origin is unknown ([`Origins`]).
@@ -53,7 +53,7 @@ pub use beam::{Beam, MAX_BEAMS};
 pub use beams::Beams;
 pub use cone::Cone;
 pub use encode::check_count;
-pub use header::{Header, JOIN_MARGIN_M, NO_RETURN_REACH_M};
+pub use header::{JOIN_MARGIN_M, NO_RETURN_REACH_M, PatchHeader};
 pub use origins::Origins;
 pub use patch::Patch;
 pub use patch_builder::{PatchBuilder, Return};

@@ -3,22 +3,22 @@
 use super::beam::{Beam, MAX_BEAMS};
 use super::beams::Beams;
 use super::encode::{NO_LEAD, check, describe, encode};
-use super::header::{Header, TY};
+use super::header::{PatchHeader, TY};
 use super::origins::Origins;
 use super::patch_spec::PatchSpec;
 use super::{bitpack, planes};
 use crate::NEVER;
 use crate::error::{Error, Result};
 use crate::geometry::Vec3;
-use crate::num::bytes::Reader;
+use crate::num::bytes::ByteReader;
 use crate::num::sections::{BODY, put_section};
 
-/// A tile of beams, packed. See [`Header`] for the layout; the payload holds a bitmap of returns (only with
-/// [`Header::FLAG_NO_RETURNS`]), the leading axis u8 (3: none), the three columns of quantised offsets, the leading one
-/// first, and the optional attributes in the order of their flags.
+/// A tile of beams, packed. See [`PatchHeader`] for the layout; the payload holds a bitmap of returns (only with
+/// [`PatchHeader::FLAG_NO_RETURNS`]), the leading axis u8 (3: none), the three columns of quantised offsets, the
+/// leading one first, and the optional attributes in the order of their flags.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
-    header: Header,
+    header: PatchHeader,
     payload: Vec<u8>,
 }
 
@@ -39,13 +39,13 @@ impl Patch {
     }
 
     /// The header.
-    pub fn header(&self) -> &Header {
+    pub fn header(&self) -> &PatchHeader {
         &self.header
     }
 
     /// The stored and transmitted form.
     pub fn to_bytes(&self) -> Vec<u8> {
-        let mut out = Vec::with_capacity(Header::LEN + 12 + self.payload.len());
+        let mut out = Vec::with_capacity(PatchHeader::LEN + 12 + self.payload.len());
         let written = self.header.write(&mut out).and_then(|()| {
             put_section(BODY, &mut out, NEVER, |out| {
                 out.extend_from_slice(&self.payload);
@@ -58,19 +58,19 @@ impl Patch {
 
     /// The beams in bytes that this database wrote, without intensity and colour: checksum and structure are checked,
     /// the header is taken as it is.
-    pub fn beams_of(bytes: &[u8]) -> Result<(Header, Beams)> {
+    pub fn beams_of(bytes: &[u8]) -> Result<(PatchHeader, Beams)> {
         read(bytes, false)
     }
 
     /// The same with all attributes.
-    pub fn content_of(bytes: &[u8]) -> Result<(Header, Beams)> {
+    pub fn content_of(bytes: &[u8]) -> Result<(PatchHeader, Beams)> {
         read(bytes, true)
     }
 
     /// Reads bytes from outside: the header must describe the beams, up to the rounding of other machines.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let (header, content) = Self::content_of(bytes)?;
-        let payload = Header::payload(bytes)?.to_vec();
+        let payload = PatchHeader::payload(bytes)?.to_vec();
         let setting = header.setting();
         check(&setting, &content)?;
         if !header.agrees_with(&describe(header.flags, &setting, &content)?) {
@@ -80,23 +80,23 @@ impl Patch {
     }
 }
 
-fn read(bytes: &[u8], all_planes: bool) -> Result<(Header, Beams)> {
-    let header = Header::read(bytes)?;
+fn read(bytes: &[u8], all_planes: bool) -> Result<(PatchHeader, Beams)> {
+    let header = PatchHeader::read(bytes)?;
     let content =
-        Header::payload(bytes).and_then(|payload| decode(&header, payload, all_planes)).map_err(|e| match e {
+        PatchHeader::payload(bytes).and_then(|payload| decode(&header, payload, all_planes)).map_err(|e| match e {
             Error::Binary { reason, .. } => Error::corrupted(TY, reason),
             other => other,
         })?;
     Ok((header, content))
 }
 
-fn decode(header: &Header, payload: &[u8], all_planes: bool) -> Result<Beams> {
+fn decode(header: &PatchHeader, payload: &[u8], all_planes: bool) -> Result<Beams> {
     let n = header.beams as usize;
     if n == 0 || n > MAX_BEAMS {
         return Err(Error::binary(TY, format!("{n} beams, but a patch holds 1 to {MAX_BEAMS}")));
     }
-    let mut r = Reader::new(payload, TY);
-    let bitmap = if header.flags & Header::FLAG_NO_RETURNS != 0 { Some(r.take(n.div_ceil(8))?) } else { None };
+    let mut r = ByteReader::new(payload, TY);
+    let bitmap = if header.flags & PatchHeader::FLAG_NO_RETURNS != 0 { Some(r.take(n.div_ceil(8))?) } else { None };
     let returned = |i: usize| bitmap.is_none_or(|b| b[i / 8] >> (i % 8) & 1 == 1);
     let lead = r.u8()?;
     let offsets = columns(&mut r, n, lead)?;
@@ -106,7 +106,7 @@ fn decode(header: &Header, payload: &[u8], all_planes: bool) -> Result<Beams> {
         let starts = columns(&mut r, n, NO_LEAD)?;
         content.starts = Some((0..n).map(|i| metres(&starts, i, header.quantum)).collect());
     }
-    if all_planes || header.flags & (Header::FLAG_INTENSITY | Header::FLAG_COLOUR) == 0 {
+    if all_planes || header.flags & (PatchHeader::FLAG_INTENSITY | PatchHeader::FLAG_COLOUR) == 0 {
         planes::unpack(&mut r, header.flags, &mut content)?;
         r.finish()?;
     }
@@ -114,7 +114,7 @@ fn decode(header: &Header, payload: &[u8], all_planes: bool) -> Result<Beams> {
 }
 
 /// The next three columns, of which `lead` comes first, by axis.
-fn columns(r: &mut Reader, n: usize, lead: u8) -> Result<[Vec<i32>; 3]> {
+fn columns(r: &mut ByteReader, n: usize, lead: u8) -> Result<[Vec<i32>; 3]> {
     if lead > NO_LEAD {
         return Err(r.bad(format!("axis {lead} leads")));
     }
@@ -178,7 +178,8 @@ mod tests {
             bytes.truncate(n - cut);
             prop_assert!(Patch::from_bytes(&bytes).is_err() && Patch::content_of(&bytes).is_err());
             // The header alone tells of damage to itself.
-            prop_assert!(at % n >= Header::LEN || cut > 0 || Header::read(&bytes[..Header::LEN]).is_err());
+            let header = PatchHeader::read(&bytes[..PatchHeader::LEN]);
+            prop_assert!(at % n >= PatchHeader::LEN || cut > 0 || header.is_err());
         }
     }
 
@@ -224,7 +225,7 @@ mod tests {
             }
             // A changed payload is damage, whatever the plane.
             let mut damaged = bytes.clone();
-            let place = Header::LEN + at % (bytes.len() - Header::LEN);
+            let place = PatchHeader::LEN + at % (bytes.len() - PatchHeader::LEN);
             damaged[place] ^= x;
             let noticed = matches!(Patch::beams_of(&damaged), Err(Error::Corrupted { .. }));
             prop_assert!(noticed);
@@ -256,13 +257,13 @@ mod tests {
         let beams: Vec<Beam> =
             (0..50).map(|i| Beam { offset: Vec3::new(5.0, 0.01 * f64::from(i), 0.3), returned: true }).collect();
         let good = Patch::encode(1, Vec3::zeros(), 2e-3, 1e-4, &beams).unwrap();
-        let forged = |forge: &dyn Fn(&mut Header)| {
+        let forged = |forge: &dyn Fn(&mut PatchHeader)| {
             let mut patch = good.clone();
             forge(&mut patch.header);
             Patch::from_bytes(&patch.to_bytes())
         };
         for forge in [
-            &(|h: &mut Header| h.returns -= 1) as &dyn Fn(&mut Header),
+            &(|h: &mut PatchHeader| h.returns -= 1) as &dyn Fn(&mut PatchHeader),
             &|h| h.points.max[0] += 1e-3,
             &|h| h.hull.min[2] -= 1e-3,
             &|h| h.range[1] *= 1.01,
@@ -304,7 +305,7 @@ mod tests {
         let p = encode(&[nothing]).unwrap();
         assert_eq!((p.header().beams, p.header().returns), (1, 0));
         let mut newer = p.to_bytes();
-        newer[0] = Header::VERSION + 1;
+        newer[0] = PatchHeader::VERSION + 1;
         assert!(matches!(Patch::from_bytes(&newer), Err(Error::Version { .. })));
     }
 }

@@ -7,7 +7,7 @@ use super::patch::Patch;
 use super::patch_spec::PatchSpec;
 use crate::error::{Error, Limited, Result};
 use crate::geometry::{Vec3, check_coordinates};
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::{Grow, Interrupt, room};
 
 /// Most rows of one state: they are in memory, about 60 bytes each.
@@ -155,7 +155,7 @@ impl PatchBuilder {
 
     /// The mirror of [`PatchBuilder::to_bytes`].
     pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
-        let mut r = Reader::new(bytes, TY);
+        let mut r = ByteReader::new(bytes, TY);
         let [some, rays, starts, intensity, colour] = [r.u8()?, r.u8()?, r.u8()?, r.u8()?, r.u8()?].map(|f| f != 0);
         let (station, reference, n) = (r.i64()?, r.vec3()?, r.u32()? as usize);
         if n > MAX_ROWS {

@@ -2,9 +2,9 @@
 
 use super::beams::Beams;
 use super::bitpack;
-use super::header::Header;
+use super::header::PatchHeader;
 use crate::error::Result;
-use crate::num::bytes::Reader;
+use crate::num::bytes::ByteReader;
 
 /// Appends intensity, then colour (green, and red and blue that follow it), where present.
 pub fn pack(content: &Beams, out: &mut Vec<u8>) {
@@ -20,13 +20,13 @@ pub fn pack(content: &Beams, out: &mut Vec<u8>) {
 }
 
 /// Reads what [`pack`] wrote into `content`, whose beams have been read.
-pub fn unpack(r: &mut Reader, flags: u8, content: &mut Beams) -> Result<()> {
+pub fn unpack(r: &mut ByteReader, flags: u8, content: &mut Beams) -> Result<()> {
     let n = content.len();
-    if flags & Header::FLAG_INTENSITY != 0 {
+    if flags & PatchHeader::FLAG_INTENSITY != 0 {
         let column = bitpack::unpack(r, n, None)?;
         content.intensity = Some(column.into_iter().map(|v| narrow(r, v)).collect::<Result<_>>()?);
     }
-    if flags & Header::FLAG_COLOUR != 0 {
+    if flags & PatchHeader::FLAG_COLOUR != 0 {
         let green = bitpack::unpack(r, n, None)?;
         let [red, blue] = [bitpack::unpack(r, n, Some(&green))?, bitpack::unpack(r, n, Some(&green))?];
         let colour = |i: usize| Ok([narrow(r, red[i])?, narrow(r, green[i])?, narrow(r, blue[i])?]);
@@ -35,6 +35,6 @@ pub fn unpack(r: &mut Reader, flags: u8, content: &mut Beams) -> Result<()> {
     Ok(())
 }
 
-fn narrow<T: TryFrom<i32>>(r: &Reader, value: i32) -> Result<T> {
+fn narrow<T: TryFrom<i32>>(r: &ByteReader, value: i32) -> Result<T> {
     T::try_from(value).map_err(|_| r.bad(format!("intensity or colour {value}")))
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use super::beam::Beam;
 use super::beams::Beams;
 use super::encode::describe;
-use super::header::Header;
+use super::header::PatchHeader;
 use super::origins::Origins;
 use super::patch_spec::PatchSpec;
 use super::tile::tiles;
@@ -14,7 +14,7 @@ use crate::error::Result;
 
 /// Cuts beams that start at many places into groups of one origin and one cone, each with a header of its own; mostly
 /// single beams. Groups are ordered by the first beam of each place.
-pub fn by_origin(header: &Header, content: &Beams) -> Result<Vec<(Header, Vec<Beam>)>> {
+pub fn by_origin(header: &PatchHeader, content: &Beams) -> Result<Vec<(PatchHeader, Vec<Beam>)>> {
     let mut places: BTreeMap<[u64; 3], Vec<u32>> = BTreeMap::new();
     for i in 0..content.len() {
         let place = content.start(i).map(f64::to_bits).into();
@@ -29,7 +29,7 @@ pub fn by_origin(header: &Header, content: &Beams) -> Result<Vec<(Header, Vec<Be
         let beams: Vec<Beam> = group.iter().map(|&i| content.beams[i as usize]).collect();
         for tile in tiles(&beams, NEVER)? {
             let own: Vec<Beam> = tile.iter().map(|&i| beams[i as usize]).collect();
-            let no_returns = if own.iter().all(|b| b.returned) { 0 } else { Header::FLAG_NO_RETURNS };
+            let no_returns = if own.iter().all(|b| b.returned) { 0 } else { PatchHeader::FLAG_NO_RETURNS };
             let content = Beams::of(own);
             out.push((describe(no_returns, &setting, &content)?, content.beams));
         }

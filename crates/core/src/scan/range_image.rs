@@ -3,7 +3,7 @@
 use super::angular_grid::AngularGrid;
 use super::beam::Beam;
 use super::cone::Cone;
-use super::header::Header;
+use super::header::PatchHeader;
 use crate::geometry::Vec3;
 
 /// Beams of one origin, sorted into the cells of an angular grid.
@@ -13,7 +13,7 @@ use crate::geometry::Vec3;
 #[derive(Debug)]
 pub struct RangeImage {
     /// The patch's header.
-    pub header: Header,
+    pub header: PatchHeader,
     /// Unit direction of each beam, by slot.
     pub directions: Vec<Vec3>,
     /// Range of each beam, metres; infinite without return.
@@ -26,12 +26,12 @@ pub struct RangeImage {
 
 impl RangeImage {
     /// Sorts the beams of a patch with an origin.
-    pub fn new(header: Header, beams: &[Beam]) -> Self {
+    pub fn new(header: PatchHeader, beams: &[Beam]) -> Self {
         Self::with_intensities(header, beams, None)
     }
 
     /// The same with the beams' intensities.
-    pub fn with_intensities(header: Header, beams: &[Beam], intensities: Option<&[u16]>) -> Self {
+    pub fn with_intensities(header: PatchHeader, beams: &[Beam], intensities: Option<&[u16]>) -> Self {
         let basis = header.cone.basis();
         let (mut kept, mut image) = (Vec::with_capacity(beams.len()), Vec::with_capacity(beams.len()));
         for (i, b) in beams.iter().enumerate() {

@@ -15,11 +15,11 @@ const MAX_EXTENT: f64 = 1.0;
 /// Directions are projected onto the faces of a cube (no pole, unlike azimuth and elevation). Then each face is halved
 /// across its longer side into equal counts until the tiles are small.
 pub fn tiles(beams: &[Beam], interrupt: Interrupt) -> Result<Vec<Vec<u32>>> {
-    let mut faces: [Vec<Place>; 6] = Default::default();
+    let mut faces: [Vec<CubeMapPoint>; 6] = Default::default();
     for (i, b) in beams.iter().enumerate() {
         poll_now_and_then(i, interrupt)?;
         if let Some((face, uv)) = cube_map(&b.offset) {
-            faces[face].push(Place { uv, beam: i as u32 });
+            faces[face].push(CubeMapPoint { uv, beam: i as u32 });
         }
     }
     let mut out = Vec::new();
@@ -54,7 +54,7 @@ pub fn mean_step(beams: &[Beam]) -> f64 {
     (area / image.len().max(1) as f64).sqrt().max(1e-6)
 }
 
-struct Place {
+struct CubeMapPoint {
     uv: [f64; 2],
     beam: u32,
 }
@@ -71,7 +71,7 @@ fn cube_map(v: &Vec3) -> Option<(usize, [f64; 2])> {
 }
 
 /// The longer side of a tile that is too large.
-fn wide(places: &[Place]) -> Option<usize> {
+fn wide(places: &[CubeMapPoint]) -> Option<usize> {
     let side = |k: usize| {
         let (lo, hi) =
             places.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), p| (lo.min(p.uv[k]), hi.max(p.uv[k])));

@@ -8,7 +8,7 @@ use nalgebra::{Matrix2, Matrix3, Matrix4, Matrix6, SMatrix, Vector2, Vector3, Ve
 
 use super::covariance::propagate;
 use super::line::MIN_LENGTH_M;
-use super::{Line, Plane, Point, Stored};
+use super::{Stored, UncertainLine, UncertainPlane, UncertainPoint};
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3, perpendiculars};
 use crate::num::eigen;
@@ -29,7 +29,7 @@ struct Start {
 }
 
 impl Start {
-    fn of(points: &[Point], what: &'static str, least: usize, interrupt: Interrupt) -> Result<Self> {
+    fn of(points: &[UncertainPoint], what: &'static str, least: usize, interrupt: Interrupt) -> Result<Self> {
         if points.len() < least {
             let reason = format!("{} points were given, {least} are needed", points.len());
             return Err(Error::Degenerate { what, reason });
@@ -61,7 +61,7 @@ impl Start {
 }
 
 /// The plane that fits best, its normal's largest component positive.
-pub fn plane(points: &[Point], interrupt: Interrupt) -> Result<Plane> {
+pub fn plane(points: &[UncertainPoint], interrupt: Interrupt) -> Result<UncertainPlane> {
     let start = Start::of(points, "the best-fit plane", 3, interrupt)?;
     if start.spread[1] <= (MIN_SPREAD * start.spread[0]).max(MIN_LENGTH_M) {
         let reason = "the points lie on one line".into();
@@ -99,11 +99,11 @@ pub fn plane(points: &[Point], interrupt: Interrupt) -> Result<Plane> {
     j[(3, 2)] = 1.0;
     let covariance = propagate(&j, &inverse);
     // With the normal, tilt and offset change their signs together: the covariance stays as it is.
-    Plane::centred(c, if n[n.iamax()] > 0.0 { n } else { -n }, &covariance).built()
+    UncertainPlane::centred(c, if n[n.iamax()] > 0.0 { n } else { -n }, &covariance).built()
 }
 
 /// The line that fits best, from the foot of the first extreme point to that of the last, in the points' order.
-pub fn line(points: &[Point], interrupt: Interrupt) -> Result<Line> {
+pub fn line(points: &[UncertainPoint], interrupt: Interrupt) -> Result<UncertainLine> {
     let start = Start::of(points, "the best-fit line", 2, interrupt)?;
     if start.spread[0] <= MIN_LENGTH_M {
         let reason = "the points lie in one place".into();
@@ -145,10 +145,16 @@ pub fn line(points: &[Point], interrupt: Interrupt) -> Result<Line> {
 
 /// The segment between the feet of the two extreme points. Along the line an end is as uncertain as its point, whose
 /// errors across the line moved the fit too.
-fn between_extremes(points: &[Point], c: &Vec3, d: &Vec3, inverse: &Matrix4<f64>, exact: bool) -> Result<Line> {
+fn between_extremes(
+    points: &[UncertainPoint],
+    c: &Vec3,
+    d: &Vec3,
+    inverse: &Matrix4<f64>,
+    exact: bool,
+) -> Result<UncertainLine> {
     let [r, s] = perpendiculars(d);
-    let place = |p: &Point| (p.position - c).dot(d);
-    let order = |a: &&Point, b: &&Point| place(a).total_cmp(&place(b));
+    let place = |p: &UncertainPoint| (p.position - c).dot(d);
+    let order = |a: &&UncertainPoint, b: &&UncertainPoint| place(a).total_cmp(&place(b));
     let (Some(first), Some(last)) = (points.iter().min_by(order), points.iter().max_by(order)) else {
         return Err(Error::Empty { what: "the list of points" });
     };
@@ -171,11 +177,16 @@ fn between_extremes(points: &[Point], c: &Vec3, d: &Vec3, inverse: &Matrix4<f64>
         }
     }
     let covariance = propagate(&j, &joint);
-    Line { start: c + d * place(first), end: c + d * place(last), covariance }.built()
+    UncertainLine { start: c + d * place(first), end: c + d * place(last), covariance }.built()
 }
 
 /// Derivative of a point's two residuals across the line by (offsets, tilts), and their weight.
-fn observation(p: &Point, b: &SMatrix<f64, 3, 2>, t: f64, exact: bool) -> Result<(SMatrix<f64, 2, 4>, Matrix2<f64>)> {
+fn observation(
+    p: &UncertainPoint,
+    b: &SMatrix<f64, 3, 2>,
+    t: f64,
+    exact: bool,
+) -> Result<(SMatrix<f64, 2, 4>, Matrix2<f64>)> {
     let mut row = SMatrix::<f64, 2, 4>::zeros();
     row.fixed_view_mut::<2, 2>(0, 0).fill_diagonal(1.0);
     row.fixed_view_mut::<2, 2>(0, 2).fill_diagonal(t);

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix2x3, Matrix3, SMatrix};
 
 use super::covariance::propagate;
-use super::{Line, Plane, Point, Stored};
+use super::{Stored, UncertainLine, UncertainPlane, UncertainPoint};
 use crate::error::{Error, Result};
 use crate::geometry::Vec3;
 
@@ -16,7 +16,7 @@ fn parallel(what: &'static str) -> Error {
 
 /// The line in which two planes meet, one metre long, about the foot of the middle between their points. Its end points
 /// are uncertain across the line only.
-pub fn planes(p: &Plane, q: &Plane) -> Result<Line> {
+pub fn planes(p: &UncertainPlane, q: &UncertainPlane) -> Result<UncertainLine> {
     let along = p.normal.cross(&q.normal);
     if along.norm() <= MIN_SINE {
         return Err(parallel("the line of two planes"));
@@ -42,11 +42,11 @@ pub fn planes(p: &Plane, q: &Plane) -> Result<Line> {
     let mut joint = SMatrix::<f64, 8, 8>::zeros();
     joint.fixed_view_mut::<4, 4>(0, 0).copy_from(&p.covariance);
     joint.fixed_view_mut::<4, 4>(4, 4).copy_from(&q.covariance);
-    Line { start, end, covariance: propagate(&j, &joint) }.built()
+    UncertainLine { start, end, covariance: propagate(&j, &joint) }.built()
 }
 
 /// The point in which three planes meet.
-pub fn three_planes(planes: [&Plane; 3]) -> Result<Point> {
+pub fn three_planes(planes: [&UncertainPlane; 3]) -> Result<UncertainPoint> {
     let normals = Matrix3::from_rows(&planes.map(|p| p.normal.transpose()));
     let inverse = normals.try_inverse().filter(|_| normals.determinant().abs() > MIN_SINE);
     let Some(inverse) = inverse else {
@@ -60,11 +60,11 @@ pub fn three_planes(planes: [&Plane; 3]) -> Result<Point> {
         let column = inverse.column(k);
         covariance += column * column.transpose() * plane.height_variance(&position);
     }
-    Point { position, covariance }.built()
+    UncertainPoint { position, covariance }.built()
 }
 
 /// The point in which a line, endless, meets a plane.
-pub fn line_plane(line: &Line, plane: &Plane) -> Result<Point> {
+pub fn line_plane(line: &UncertainLine, plane: &UncertainPlane) -> Result<UncertainPoint> {
     let span = line.span();
     let slope = plane.normal.dot(&span);
     if slope.abs() <= MIN_SINE * span.norm() {
@@ -74,8 +74,8 @@ pub fn line_plane(line: &Line, plane: &Plane) -> Result<Point> {
     let position = line.start + span * t;
     // x stays on line and plane: δx = (I − span nᵀ/slope) δ(point of the line at t) − span/slope δf.
     let slide = Matrix3::identity() - span * plane.normal.transpose() / slope;
-    let by_line = slide * Line::jacobian_at(t);
+    let by_line = slide * UncertainLine::jacobian_at(t);
     let by_plane = -span / slope * plane.height_by_plane(&position).transpose();
     let covariance = propagate(&by_line, &line.covariance) + propagate(&by_plane, &plane.covariance);
-    Point { position, covariance }.built()
+    UncertainPoint { position, covariance }.built()
 }

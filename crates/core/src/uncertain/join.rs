@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Matrix6, SMatrix};
 
 use super::covariance::propagate;
 use super::line::MIN_LENGTH_M;
-use super::{Line, Plane, Point, Stored};
+use super::{Stored, UncertainLine, UncertainPlane, UncertainPoint};
 use crate::error::{Error, Result};
 use crate::geometry::Vec3;
 
@@ -12,15 +12,15 @@ use crate::geometry::Vec3;
 const MIN_SINE: f64 = 1e-8;
 
 /// The line from one point to the other.
-pub fn line_through(a: &Point, b: &Point) -> Result<Line> {
+pub fn line_through(a: &UncertainPoint, b: &UncertainPoint) -> Result<UncertainLine> {
     let mut covariance = Matrix6::zeros();
     covariance.fixed_view_mut::<3, 3>(0, 0).copy_from(&a.covariance);
     covariance.fixed_view_mut::<3, 3>(3, 3).copy_from(&b.covariance);
-    Line { start: a.position, end: b.position, covariance }.with_length()?.built()
+    UncertainLine { start: a.position, end: b.position, covariance }.with_length()?.built()
 }
 
 /// The plane through three points, its normal by the right hand from the first to the third.
-pub fn plane_through(a: &Point, b: &Point, c: &Point) -> Result<Plane> {
+pub fn plane_through(a: &UncertainPoint, b: &UncertainPoint, c: &UncertainPoint) -> Result<UncertainPlane> {
     let mut joint = SMatrix::<f64, 9, 9>::zeros();
     for (i, p) in [a, b, c].into_iter().enumerate() {
         joint.fixed_view_mut::<3, 3>(3 * i, 3 * i).copy_from(&p.covariance);
@@ -29,14 +29,14 @@ pub fn plane_through(a: &Point, b: &Point, c: &Point) -> Result<Plane> {
 }
 
 /// The plane through a line and a point beside it.
-pub fn plane_through_line(line: &Line, point: &Point) -> Result<Plane> {
+pub fn plane_through_line(line: &UncertainLine, point: &UncertainPoint) -> Result<UncertainPlane> {
     let mut joint = SMatrix::<f64, 9, 9>::zeros();
     joint.fixed_view_mut::<6, 6>(0, 0).copy_from(&line.covariance);
     joint.fixed_view_mut::<3, 3>(6, 6).copy_from(&point.covariance);
     through_three([line.start, line.end, point.position], &joint)
 }
 
-fn through_three([a, b, c]: [Vec3; 3], joint: &SMatrix<f64, 9, 9>) -> Result<Plane> {
+fn through_three([a, b, c]: [Vec3; 3], joint: &SMatrix<f64, 9, 9>) -> Result<UncertainPlane> {
     let (ab, ac) = (b - a, c - a);
     let m = ab.cross(&ac);
     if m.norm() <= MIN_SINE * ab.norm() * ac.norm() || (c - b).norm().min(ab.norm()).min(ac.norm()) <= MIN_LENGTH_M {
@@ -52,11 +52,11 @@ fn through_three([a, b, c]: [Vec3; 3], joint: &SMatrix<f64, 9, 9>) -> Result<Pla
         j.fixed_view_mut::<1, 3>(3, 3 * i).copy_from(&(normal.transpose() / 3.0));
     }
     let centre = a + (ab + ac) / 3.0;
-    Plane::centred(centre, normal, &propagate(&j, joint)).built()
+    UncertainPlane::centred(centre, normal, &propagate(&j, joint)).built()
 }
 
 /// The point halfway between two.
-pub fn midpoint(a: &Point, b: &Point) -> Point {
+pub fn midpoint(a: &UncertainPoint, b: &UncertainPoint) -> UncertainPoint {
     let position = a.position + (b.position - a.position) * 0.5;
-    Point { position, covariance: (a.covariance + b.covariance) * 0.25 }
+    UncertainPoint { position, covariance: (a.covariance + b.covariance) * 0.25 }
 }

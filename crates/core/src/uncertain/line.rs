@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix6, SMatrix, Vector6};
 
-use super::Point;
+use super::UncertainPoint;
 use super::covariance::{self, propagate};
 use super::stored::{Stored, get_triangle, put_triangle};
 use crate::error::{Error, Result};
@@ -13,7 +13,7 @@ pub(super) const MIN_LENGTH_M: f64 = 1e-8;
 
 /// Two end points, metres, and their joint covariance, m².
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
+pub struct UncertainLine {
     /// Metres.
     pub start: Vec3,
     /// Metres; not the start.
@@ -22,7 +22,7 @@ pub struct Line {
     pub covariance: Matrix6<f64>,
 }
 
-impl Line {
+impl UncertainLine {
     /// A segment whose joint covariance need not be exactly symmetric.
     pub fn new(start: Vec3, end: Vec3, covariance: &Matrix6<f64>) -> Result<Self> {
         let covariance = covariance::checked("the covariance of the line", covariance)?;
@@ -49,9 +49,9 @@ impl Line {
     }
 
     /// The point at start + t·span, 0 at the start, 1 at the end. World metres.
-    pub fn at(&self, t: f64) -> Point {
+    pub fn at(&self, t: f64) -> UncertainPoint {
         let j = Self::jacobian_at(t);
-        Point { position: self.start + self.span() * t, covariance: propagate(&j, &self.covariance) }
+        UncertainPoint { position: self.start + self.span() * t, covariance: propagate(&j, &self.covariance) }
     }
 
     /// Derivative of the point at t by (start, end).
@@ -91,7 +91,7 @@ impl Line {
     }
 }
 
-impl Stored<27> for Line {
+impl Stored<27> for UncertainLine {
     const NAME: &'static str = "ab_line";
     const COORDINATES: usize = 6;
 

@@ -14,7 +14,7 @@
 //! * [`distance`]: how far apart;
 //! * [`fit`]: best lines and planes through many points;
 //! * [`transform`]: everything through an uncertain pose;
-//! * [`test`]: is it the same, incident, parallel, orthogonal, coplanar? χ² tests.
+//! * [`hypothesis`]: is it the same, incident, parallel, orthogonal, coplanar? χ² tests.
 //!
 //! All formulae use differences of coordinates, so that projected coordinates lose nothing.
 
@@ -22,6 +22,7 @@ pub mod covariance;
 pub mod distance;
 pub mod fit;
 pub mod foot;
+pub mod hypothesis;
 pub mod intersect;
 pub mod join;
 mod line;
@@ -29,11 +30,10 @@ mod plane;
 mod point;
 mod pose;
 mod stored;
-pub mod test;
 pub mod transform;
 
-pub use line::Line;
-pub use plane::Plane;
-pub use point::{Point, checked_sd};
-pub use pose::{Matrix7, Pose};
+pub use line::UncertainLine;
+pub use plane::UncertainPlane;
+pub use point::{UncertainPoint, checked_sd};
+pub use pose::{Matrix7, UncertainPose};
 pub use stored::Stored;

@@ -14,7 +14,7 @@ use crate::num::eigen;
 /// The true plane is (n + δn)·(x − c) = δq: the covariance is that of (δn, δq), basis-free, δn ⟂ n. Built from others,
 /// c is where offset and tilt are uncorrelated, the centroid.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane {
+pub struct UncertainPlane {
     /// c, metres.
     pub point: Vec3,
     /// n, unit length.
@@ -23,7 +23,7 @@ pub struct Plane {
     pub covariance: Matrix4<f64>,
 }
 
-impl Plane {
+impl UncertainPlane {
     /// A plane whose offset along the normal and whose tilt about any axis in it have these standard deviations
     /// (metres, radians), independently. The normal is made a unit vector.
     pub fn tilted(point: Vec3, normal: Vec3, sd_offset: f64, sd_tilt: f64) -> Result<Self> {
@@ -94,7 +94,7 @@ pub(super) fn unit(v: &Vec3) -> Result<Vec3> {
     })
 }
 
-impl Stored<16> for Plane {
+impl Stored<16> for UncertainPlane {
     const NAME: &'static str = "ab_plane";
     const COORDINATES: usize = 6;
 

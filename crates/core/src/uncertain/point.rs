@@ -10,14 +10,14 @@ use crate::num::eigen;
 
 /// A point, metres, and its covariance, m².
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Point {
+pub struct UncertainPoint {
     /// Metres.
     pub position: Vec3,
     /// m².
     pub covariance: Matrix3<f64>,
 }
 
-impl Point {
+impl UncertainPoint {
     /// A point with the same standard deviation along every axis, metres.
     pub fn isotropic(position: Vec3, sd: f64) -> Result<Self> {
         Self { position, covariance: Matrix3::identity() * checked_sd("the standard deviation", sd)?.powi(2) }.checked()
@@ -53,7 +53,7 @@ impl Point {
     }
 }
 
-impl Stored<9> for Point {
+impl Stored<9> for UncertainPoint {
     const NAME: &'static str = "ab_point";
     const COORDINATES: usize = 3;
 

@@ -16,7 +16,7 @@ pub type Matrix7 = SMatrix<f64, 7, 7>;
 /// The true transform is x' = s·eᵟ·exp([ω]×)·R·x + t + δt: the covariance is that of (ω, δt, δ): radians about the axes
 /// of the target frame, metres, and the relative error of scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pose {
+pub struct UncertainPose {
     /// R.
     pub rotation: UnitQuaternion<f64>,
     /// t, metres.
@@ -27,7 +27,7 @@ pub struct Pose {
     pub covariance: Matrix7,
 }
 
-impl Pose {
+impl UncertainPose {
     /// A pose from a quaternion w, x, y, z (which is normalised), checked.
     pub fn new(quaternion: [f64; 4], translation: Vec3, scale: f64, covariance: &Matrix7) -> Result<Self> {
         let [w, x, y, z] = quaternion;
@@ -77,7 +77,7 @@ impl Pose {
     }
 }
 
-impl Stored<36> for Pose {
+impl Stored<36> for UncertainPose {
     const NAME: &'static str = "ab_pose";
     const COORDINATES: usize = 8;
 

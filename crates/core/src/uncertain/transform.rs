@@ -3,24 +3,24 @@
 use nalgebra::{Matrix3, Matrix4, Matrix6, SMatrix};
 
 use super::covariance::propagate;
-use super::{Line, Matrix7, Plane, Point, Pose, Stored};
+use super::{Matrix7, Stored, UncertainLine, UncertainPlane, UncertainPoint, UncertainPose};
 use crate::error::Result;
 
-impl Pose {
+impl UncertainPose {
     /// Derivative of the image by the object's own coordinates, s·R.
     fn by_object(&self) -> Matrix3<f64> {
         self.matrix() * self.scale
     }
 
     /// The image of a point.
-    pub fn point(&self, p: &Point) -> Result<Point> {
+    pub fn point(&self, p: &UncertainPoint) -> Result<UncertainPoint> {
         let covariance =
             propagate(&self.by_object(), &p.covariance) + propagate(&self.by_pose(&p.position), &self.covariance);
-        Point { position: self.apply(&p.position), covariance }.built()
+        UncertainPoint { position: self.apply(&p.position), covariance }.built()
     }
 
     /// The image of a line; both ends share the pose's errors.
-    pub fn line(&self, l: &Line) -> Result<Line> {
+    pub fn line(&self, l: &UncertainLine) -> Result<UncertainLine> {
         let mut own = Matrix6::zeros();
         let mut shared = SMatrix::<f64, 6, 7>::zeros();
         for (row, end) in [(0, l.start), (3, l.end)] {
@@ -28,11 +28,11 @@ impl Pose {
             shared.fixed_view_mut::<3, 7>(row, 0).copy_from(&self.by_pose(&end));
         }
         let covariance = propagate(&own, &l.covariance) + propagate(&shared, &self.covariance);
-        Line { start: self.apply(&l.start), end: self.apply(&l.end), covariance }.with_length()?.built()
+        UncertainLine { start: self.apply(&l.start), end: self.apply(&l.end), covariance }.with_length()?.built()
     }
 
     /// The image of a plane: δn' = R δn + ω × n', δq' = s δq + n'·(error of the pose at the plane's point).
-    pub fn plane(&self, p: &Plane) -> Result<Plane> {
+    pub fn plane(&self, p: &UncertainPlane) -> Result<UncertainPlane> {
         let normal = (self.rotation * p.normal).normalize();
         let mut own = Matrix4::zeros();
         own.fixed_view_mut::<3, 3>(0, 0).copy_from(&self.matrix());
@@ -41,7 +41,7 @@ impl Pose {
         by_pose.fixed_view_mut::<3, 3>(0, 0).copy_from(&-normal.cross_matrix());
         by_pose.fixed_view_mut::<1, 7>(3, 0).copy_from(&(normal.transpose() * self.by_pose(&p.point)));
         let covariance = propagate(&own, &p.covariance) + propagate(&by_pose, &self.covariance);
-        Plane::centred(self.apply(&p.point), normal, &covariance).built()
+        UncertainPlane::centred(self.apply(&p.point), normal, &covariance).built()
     }
 
     /// This transform after `first`: x ↦ self(first(x)).

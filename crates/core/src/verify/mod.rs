@@ -5,7 +5,7 @@
 //! * [`aim`]: where the beams of a patch would meet a solid that was made ready (`Target`);
 //! * [`model`]: the parameters ([`EvidenceModel`]), and by kind of model how beams become integer sums and what these
 //!   state;
-//! * [`evidence`]: what is stored, [`Samples`] on the solid and the sums of each [`Station`] ([`Evidence`]);
+//! * [`evidence`]: what is stored, [`Samples`] on the solid and the sums of each [`StationEvidence`] ([`Evidence`]);
 //! * [`collect`]: adding patches to the evidence of one solid ([`Collector`]) or of many ([`Verifier`]);
 //! * [`surface`]: from evidence to `Observations` of all seen samples, and the `FittedObject` that was built;
 //! * [`verdict`]: from there to a `Judgement` at one tolerance, and to a [`Summary`].
@@ -24,7 +24,7 @@ mod surface;
 mod verdict;
 
 pub use collect::{Collector, Threads, Verifier};
-pub use evidence::{Evidence, EvidenceHeader, Place, Samples, Station};
+pub use evidence::{Evidence, EvidenceHeader, Samples, StationEvidence, StationOrigin};
 pub use model::{EvidenceModel, IntensityNoise, ModelKind, Question};
 pub use surface::Shift;
 pub use verdict::{

@@ -2,9 +2,9 @@
 //!
 //! A [`Grid`] fixes the lattice (by the reference system, not by the data) and the tile of it that is looked at. Beams
 //! of patches are carved into an [`Occupancy`]: per voxel how many returns it holds and whether a beam passed through.
-//! The state of a voxel is a question to it, with a threshold (Meyer, ch. 4). A solid fills a [`Mask`], a set of
-//! voxels, which makes an occupancy of which everything is known. Two occupancies make a [`Change`]; what is new or
-//! gone comes in connected [`Component`]s.
+//! The state of a voxel is a question to it, with a threshold (Meyer, ch. 4). A solid fills a [`VoxelSet`],
+//! which makes an occupancy of which everything is known. Two occupancies make a [`Change`]; what is new or gone comes
+//! in connected [`ChangeComponent`]s.
 //!
 //! Read in this order, the way of the data; each room uses only those above it:
 //!
@@ -21,9 +21,7 @@ mod model;
 mod occupancy;
 
 pub use carve::traverse;
-// The extension and the program call a class of change and a set of voxels by these names.
-pub use change::ChangeClass as Class;
-pub use change::{Change, ChangeTally, Component, Settings};
-pub use lattice::{Grid, State, TileHeader, VoxelAccuracy, VoxelBox};
-pub use model::{FillRule as Rule, VoxelSet as Mask};
+pub use change::{Change, ChangeClass, ChangeComponent, ChangeSettings, ChangeTally};
+pub use lattice::{Grid, TileHeader, VoxelAccuracy, VoxelBox, VoxelState};
+pub use model::{FillRule, VoxelSet};
 pub use occupancy::{KnownBlock, Occupancy, Slice, StateTally};

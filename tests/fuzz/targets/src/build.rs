@@ -4,7 +4,7 @@ use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, SurfaceKind, Vec3};
 use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchBuilder, PatchSpec, Return};
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind};
-use asbuilt_core::voxel::{Change, Grid, Mask, Occupancy, Rule, Settings};
+use asbuilt_core::voxel::{Change, ChangeSettings, FillRule, Grid, Occupancy, VoxelSet};
 
 use crate::bounded;
 use crate::input::Input;
@@ -116,11 +116,11 @@ fn seen(spacing: f64) -> Evidence {
 fn drawn(voxel: f64) -> Occupancy {
     let solid = Solid::cuboid([0.0; 3], [1.0, 1.0, 0.5]).unwrap();
     let grid = Grid::new(voxel, solid.bounds(), 0.0, 0.0).unwrap();
-    Mask::of(&solid, &grid, Rule::Centre, NEVER).unwrap().into_model(grid, NEVER).unwrap()
+    VoxelSet::of(&solid, &grid, FillRule::Centre, NEVER).unwrap().into_model(grid, NEVER).unwrap()
 }
 
 fn changed(voxel: f64) -> Change {
-    let settings = Settings { threshold: 1, tolerance: 0.0 };
+    let settings = ChangeSettings { threshold: 1, tolerance: 0.0 };
     let new = Occupancy::new(*drawn(voxel).grid());
     Change::between(&drawn(voxel), &new, settings, NEVER).unwrap()
 }

@@ -2,7 +2,7 @@
 
 use asbuilt_core::geometry::{Aabb, Solid, SurfaceKind, Vec3, group_faces};
 use asbuilt_core::verify::Samples;
-use asbuilt_core::voxel::{Grid, Mask, Rule};
+use asbuilt_core::voxel::{FillRule, Grid, VoxelSet};
 
 use crate::bounded;
 use crate::checksum::mended;
@@ -71,8 +71,8 @@ fn questions(solid: &Solid) {
 fn voxels(solid: &Solid, bounds: &Aabb) {
     let voxel = (bounds.diagonal() / 24.0).clamp(1e-4, 100.0);
     let Ok(grid) = Grid::new(voxel, *bounds, 0.0, 0.0) else { return };
-    for rule in [Rule::Centre, Rule::Cover, Rule::Surface] {
-        if let Ok(mask) = bounded(|i| Mask::of(solid, &grid, rule, i)) {
+    for rule in [FillRule::Centre, FillRule::Cover, FillRule::Surface] {
+        if let Ok(mask) = bounded(|i| VoxelSet::of(solid, &grid, rule, i)) {
             let _ = bounded(|i| mask.into_model(grid, i));
         }
     }

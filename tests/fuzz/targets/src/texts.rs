@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use asbuilt_core::Result;
 use asbuilt_core::evidence::Mass;
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::uncertain::{Line, Plane, Point, Pose, Stored};
+use asbuilt_core::uncertain::{Stored, UncertainLine, UncertainPlane, UncertainPoint, UncertainPose};
 use asbuilt_core::verify::EvidenceModel;
 use asbuilt_core::voxel::Grid;
 
@@ -18,10 +18,10 @@ pub fn read(data: &[u8]) {
         1 => same(text, Grid::from_text, Grid::to_text),
         2 => same(text, EvidenceModel::from_text, EvidenceModel::to_text),
         3 => same(text, Mass::from_text, Mass::to_text),
-        4 => stored::<Point, 9>(text),
-        5 => stored::<Line, 27>(text),
-        6 => stored::<Plane, 16>(text),
-        _ => stored::<Pose, 36>(text),
+        4 => stored::<UncertainPoint, 9>(text),
+        5 => stored::<UncertainLine, 27>(text),
+        6 => stored::<UncertainPlane, 16>(text),
+        _ => stored::<UncertainPose, 36>(text),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Occupancies and changes out of their stored forms.
 
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::voxel::{Change, Class, Occupancy, Settings};
+use asbuilt_core::voxel::{Change, ChangeClass, ChangeSettings, Occupancy};
 
 use crate::bounded;
 use crate::checksum::mended;
@@ -33,7 +33,7 @@ fn questions(o: &Occupancy) {
     let mut twice = o.clone();
     let _ = bounded(|i| twice.merge(o, i));
     for tolerance in [0.0, o.grid().voxel] {
-        let settings = Settings { threshold: 1, tolerance };
+        let settings = ChangeSettings { threshold: 1, tolerance };
         if let Ok(c) = bounded(|i| Change::between(o, &twice, settings, i)) {
             questions_of_change(&c);
         }
@@ -56,7 +56,7 @@ pub fn change(data: &[u8]) {
 
 fn questions_of_change(c: &Change) {
     let _ = bounded(|i| c.for_each(i, |_, _| ()));
-    for class in [Class::New, Class::Disappeared, Class::Confirmed] {
+    for class in [ChangeClass::New, ChangeClass::Disappeared, ChangeClass::Confirmed] {
         let _ = bounded(|i| c.components(class, 1, c.grid().voxel, i));
     }
     let _ = bounded(|i| c.tally(None, 0.0, i));

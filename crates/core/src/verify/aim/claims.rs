@@ -1,6 +1,6 @@
 //! Which objects a beam may have met: what stands near where another object is drawn is that object's.
 
-use super::crossing::Crossing;
+use super::crossing::BeamCrossing;
 use super::target::Target;
 use crate::scan::RangeImage;
 
@@ -29,7 +29,7 @@ impl Claims {
     }
 
     /// Claims for `object` the beams that met something near where it is drawn.
-    pub fn stake_all(&mut self, view: &RangeImage, target: &Target, crossings: &[Crossing], object: u32) {
+    pub fn stake_all(&mut self, view: &RangeImage, target: &Target, crossings: &[BeamCrossing], object: u32) {
         for crossing in crossings {
             let slot = crossing.slot as usize;
             let cos = -view.directions[slot].dot(&crossing.normal(target));

@@ -6,14 +6,14 @@
 //! curved face or at a thin wall.
 
 use super::target::Target;
-use super::triangle::Triangle;
+use super::triangle::TargetTriangle;
 use crate::geometry::Vec3;
 use crate::scan::RangeImage;
 use crate::{Interrupt, Result, poll};
 
 /// Where one beam crosses the solid first.
 #[derive(Debug, Clone, Copy)]
-pub struct Crossing {
+pub struct BeamCrossing {
     /// The beam, by slot of the view.
     pub slot: u32,
     /// The triangle crossed.
@@ -24,7 +24,7 @@ pub struct Crossing {
     from_behind: bool,
 }
 
-impl Crossing {
+impl BeamCrossing {
     /// Unit normal of the crossed triangle, towards the scanner.
     pub fn normal(&self, target: &Target) -> Vec3 {
         self.turned(target, self.triangle)
@@ -45,7 +45,7 @@ struct Nearest {
 }
 
 /// The first crossing of every beam that crosses within `reach` metres of the origin, by slot.
-pub fn crossings(target: &Target, view: &RangeImage, reach: f64, interrupt: Interrupt) -> Result<Vec<Crossing>> {
+pub fn crossings(target: &Target, view: &RangeImage, reach: f64, interrupt: Interrupt) -> Result<Vec<BeamCrossing>> {
     let origin = view.header.origin;
     let concerns = |centre_world: &Vec3, radius: f64| {
         let centre_scanner = centre_world - origin;
@@ -69,19 +69,19 @@ impl Nearest {
     fn none(beams: usize) -> Self {
         Self {
             distance: vec![f64::INFINITY; beams],
-            triangle: vec![Triangle::NONE; beams],
+            triangle: vec![TargetTriangle::NONE; beams],
             from_behind: vec![false; beams],
         }
     }
 
-    fn found(&self) -> impl Iterator<Item = Crossing> + '_ {
-        let crossing = |slot: usize| Crossing {
+    fn found(&self) -> impl Iterator<Item = BeamCrossing> + '_ {
+        let crossing = |slot: usize| BeamCrossing {
             slot: slot as u32,
             triangle: self.triangle[slot],
             distance: self.distance[slot],
             from_behind: self.from_behind[slot],
         };
-        (0..self.triangle.len()).filter(|s| self.triangle[*s] != Triangle::NONE).map(crossing)
+        (0..self.triangle.len()).filter(|s| self.triangle[*s] != TargetTriangle::NONE).map(crossing)
     }
 
     /// Takes the beams for which triangle `t` is nearer than all before.

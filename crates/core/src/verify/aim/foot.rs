@@ -5,7 +5,7 @@
 //! displacement of one place would be told of another.
 
 use super::target::Target;
-use super::triangle::Triangle;
+use super::triangle::TargetTriangle;
 use crate::geometry::Vec3;
 
 /// Triangles walked over at the most.
@@ -22,7 +22,7 @@ pub struct Foot {
 
 /// Walks from triangle `start` to where the foot of a point (world metres) lies; `None` where the surface ends before.
 pub fn foot(target: &Target, start: u32, point_world: &Vec3) -> Option<Foot> {
-    let (mut here, mut before) = (start, Triangle::NONE);
+    let (mut here, mut before) = (start, TargetTriangle::NONE);
     for _ in 0..MAX_STEPS {
         let triangle = &target.triangles[here as usize];
         let on_plane = triangle.on_plane(point_world);
@@ -30,7 +30,7 @@ pub fn foot(target: &Target, start: u32, point_world: &Vec3) -> Option<Foot> {
             return Some(Foot { triangle: here, place_world: on_plane });
         };
         let next = triangle.neighbours[edge];
-        if next == Triangle::NONE {
+        if next == TargetTriangle::NONE {
             return None;
         }
         if next == before {

@@ -14,7 +14,7 @@ mod unpacked;
 
 pub(super) use aimed_at::AimedAt;
 pub(super) use claims::{Claims, OtherObjects};
-pub(super) use crossing::{Crossing, crossings, image_rectangle};
+pub(super) use crossing::{BeamCrossing, crossings, image_rectangle};
 pub(super) use foot::{Foot, foot};
 pub(super) use target::Target;
-pub(super) use unpacked::{Aim, Beams, Unpacked};
+pub(super) use unpacked::{Aim, Unpacked, UnpackedBeams};

@@ -1,6 +1,6 @@
 //! A solid made ready for beams: its triangles, who their neighbours are, and balls to cull them by.
 
-use super::triangle::Triangle;
+use super::triangle::TargetTriangle;
 use crate::geometry::{Aabb, Adjacency, BLUNT_EDGE_COS, Closedness, Solid, Vec3};
 use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
@@ -12,7 +12,7 @@ const SAME_CORNER_M: f64 = 1e-6;
 /// A solid made ready to be crossed. World metres.
 #[derive(Debug)]
 pub struct Target {
-    pub triangles: Vec<Triangle>,
+    pub triangles: Vec<TargetTriangle>,
     /// A ball around each run of [`CHUNK`] triangles.
     chunks: Vec<Ball>,
     /// The faces are seen from both sides (an open surface).
@@ -34,8 +34,9 @@ impl Target {
         let adjacency = Adjacency::of(solid, interrupt)?;
         for t in 0..place.len() {
             poll_now_and_then(t, interrupt)?;
-            let across = adjacency.neighbours(t).iter().map(|&u| place[u as usize]).filter(|u| *u != Triangle::NONE);
-            if place[t] != Triangle::NONE {
+            let across =
+                adjacency.neighbours(t).iter().map(|&u| place[u as usize]).filter(|u| *u != TargetTriangle::NONE);
+            if place[t] != TargetTriangle::NONE {
                 link(place[t] as usize, across, &mut triangles);
             }
         }
@@ -54,25 +55,26 @@ impl Target {
     }
 }
 
-/// Adds the triangles with an area, without neighbours yet; for each of the solid's its place, or [`Triangle::NONE`].
-fn fill(solid: &Solid, triangles: &mut Vec<Triangle>, interrupt: Interrupt) -> Result<Vec<u32>> {
+/// Adds the triangles with an area, without neighbours yet; for each of the solid's its place, or
+/// [`TargetTriangle::NONE`].
+fn fill(solid: &Solid, triangles: &mut Vec<TargetTriangle>, interrupt: Interrupt) -> Result<Vec<u32>> {
     let count = solid.triangles().len();
     room::<[u64; 4]>(count, interrupt)?;
-    let mut place = vec![Triangle::NONE; count];
+    let mut place = vec![TargetTriangle::NONE; count];
     for (t, place) in place.iter_mut().enumerate() {
         poll_now_and_then(t, interrupt)?;
         let corners = solid.corners(t);
         let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
         if let Some(normal) = n.try_normalize(1e-12) {
             *place = triangles.len() as u32;
-            triangles.push(Triangle { corners, normal, neighbours: [Triangle::NONE; 3] });
+            triangles.push(TargetTriangle { corners, normal, neighbours: [TargetTriangle::NONE; 3] });
         }
     }
     Ok(place)
 }
 
 /// Notes which neighbours go on across which edge.
-fn link(t: usize, across: impl Iterator<Item = u32>, triangles: &mut [Triangle]) {
+fn link(t: usize, across: impl Iterator<Item = u32>, triangles: &mut [TargetTriangle]) {
     for u in across {
         let (here, there) = (&triangles[t], &triangles[u as usize]);
         if here.normal.dot(&there.normal) < BLUNT_EDGE_COS {
@@ -91,7 +93,7 @@ fn link(t: usize, across: impl Iterator<Item = u32>, triangles: &mut [Triangle])
 }
 
 impl Ball {
-    fn around(triangles: &[Triangle]) -> Self {
+    fn around(triangles: &[TargetTriangle]) -> Self {
         let corners = || triangles.iter().flat_map(|t| t.corners.iter());
         let centre = Aabb::around(corners()).centre();
         Self { centre, radius: corners().map(|c| (c - centre).norm()).fold(0.0, f64::max) }

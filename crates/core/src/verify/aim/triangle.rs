@@ -4,16 +4,16 @@ use crate::geometry::Vec3;
 
 /// A triangle and its neighbours.
 #[derive(Debug)]
-pub struct Triangle {
+pub struct TargetTriangle {
     /// World metres, counter-clockwise from outside.
     pub corners: [Vec3; 3],
     /// Outward unit normal.
     pub normal: Vec3,
-    /// Across the edge from each corner to the next; [`Triangle::NONE`] where the surface ends or turns.
+    /// Across the edge from each corner to the next; [`TargetTriangle::NONE`] where the surface ends or turns.
     pub neighbours: [u32; 3],
 }
 
-impl Triangle {
+impl TargetTriangle {
     /// No neighbour.
     pub const NONE: u32 = u32::MAX;
 

@@ -1,19 +1,19 @@
 //! A patch unpacked once for all the objects that it may concern.
 
-use super::crossing::Crossing;
+use super::crossing::BeamCrossing;
 use crate::Result;
 use crate::geometry::Vec3;
-use crate::scan::{Header, Origins, Patch, RangeImage, by_origin};
+use crate::scan::{Origins, Patch, PatchHeader, RangeImage, by_origin};
 
 /// A patch made ready for any number of objects.
 #[derive(Debug)]
 pub struct Unpacked {
-    pub header: Header,
-    pub beams: Beams,
+    pub header: PatchHeader,
+    pub beams: UnpackedBeams,
 }
 
 #[derive(Debug)]
-pub enum Beams {
+pub enum UnpackedBeams {
     FromOne(Box<RangeImage>),
     FromMany(Vec<RangeImage>),
     /// Relative to the header's origin, metres.
@@ -23,7 +23,7 @@ pub enum Beams {
 impl Unpacked {
     /// Number of beams that start at one place; 0 for other patches.
     pub fn aimed_beams(&self) -> usize {
-        if let Beams::FromOne(view) = &self.beams { view.len() } else { 0 }
+        if let UnpackedBeams::FromOne(view) = &self.beams { view.len() } else { 0 }
     }
 
     /// Unpacks a patch; its intensities only if they are asked for.
@@ -33,13 +33,21 @@ impl Unpacked {
         let beams = match header.origins() {
             Origins::One => {
                 let intensities = content.intensity.as_deref();
-                Beams::FromOne(Box::new(RangeImage::with_intensities(header.clone(), &content.beams, intensities)))
+                UnpackedBeams::FromOne(Box::new(RangeImage::with_intensities(
+                    header.clone(),
+                    &content.beams,
+                    intensities,
+                )))
             }
             Origins::Each => {
                 let by_place = by_origin(&header, &content)?;
-                Beams::FromMany(by_place.into_iter().map(|(header, beams)| RangeImage::new(header, &beams)).collect())
+                UnpackedBeams::FromMany(
+                    by_place.into_iter().map(|(header, beams)| RangeImage::new(header, &beams)).collect(),
+                )
             }
-            Origins::Unknown => Beams::Points(content.beams.iter().filter(|b| b.returned).map(|b| b.offset).collect()),
+            Origins::Unknown => {
+                UnpackedBeams::Points(content.beams.iter().filter(|b| b.returned).map(|b| b.offset).collect())
+            }
         };
         Ok(Self { header, beams })
     }
@@ -51,7 +59,7 @@ pub enum Aim {
     /// None of it: the patch tells nothing of the solid.
     Aside,
     /// The first crossing of every beam that crosses.
-    At(Vec<Crossing>),
+    At(Vec<BeamCrossing>),
     /// To be found out beam by beam.
     Unknown,
 }

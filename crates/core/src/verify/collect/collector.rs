@@ -2,9 +2,11 @@
 
 use super::point_index::PointIndex;
 use crate::geometry::{Solid, Vec3};
-use crate::scan::{Header, Origins, RangeImage};
-use crate::verify::aim::{Aim, AimedAt, Beams, Claims, Crossing, OtherObjects, Target, Unpacked, crossings};
-use crate::verify::evidence::{BLOCK, Block, Evidence, Place, Samples};
+use crate::scan::{Origins, PatchHeader, RangeImage};
+use crate::verify::aim::{
+    Aim, AimedAt, BeamCrossing, Claims, OtherObjects, Target, Unpacked, UnpackedBeams, crossings,
+};
+use crate::verify::evidence::{BLOCK, Evidence, SampleBlock, Samples, StationOrigin};
 use crate::verify::model::{BeamModel, BeamOutcome, EvidenceModel, KERNEL_SPACINGS, Sums, with_model};
 use crate::{Interrupt, Result, poll};
 
@@ -56,7 +58,7 @@ impl Collector {
     }
 
     /// Whether a patch can tell anything of the solid, by its header alone.
-    pub fn concerns(&self, header: &Header) -> bool {
+    pub fn concerns(&self, header: &PatchHeader) -> bool {
         let bounds = &self.evidence.bounds;
         match header.origins() {
             Origins::One => {}
@@ -75,7 +77,7 @@ impl Collector {
     /// Adds what a packed patch tells. Points without origin count for the face nearest to them, and never for empty
     /// space.
     pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
-        if !self.concerns(&Header::read(patch)?) {
+        if !self.concerns(&PatchHeader::read(patch)?) {
             return Ok(());
         }
         let patch = Unpacked::of(patch, self.evidence.model.intensity.is_some())?;
@@ -89,7 +91,7 @@ impl Collector {
             return Ok(Aim::Aside);
         }
         match &patch.beams {
-            Beams::FromOne(view) if with_model!(self.evidence.model.kind, M => M::CROSSES_SURFACE) => {
+            UnpackedBeams::FromOne(view) if with_model!(self.evidence.model.kind, M => M::CROSSES_SURFACE) => {
                 let crossings = crossings(&self.target, view, self.reach(&view.header), interrupt)?;
                 Ok(if crossings.is_empty() && !self.is_slim { Aim::Aside } else { Aim::At(crossings) })
             }
@@ -99,7 +101,7 @@ impl Collector {
 
     /// Claims for this solid, number `object`, the beams of the patch that met something near where it is drawn.
     pub(super) fn claim(&self, patch: &Unpacked, aim: &Aim, object: u32, claims: &mut Claims) {
-        if let (Beams::FromOne(view), Aim::At(crossings)) = (&patch.beams, aim) {
+        if let (UnpackedBeams::FromOne(view), Aim::At(crossings)) = (&patch.beams, aim) {
             claims.stake_all(view, &self.target, crossings, object);
         }
     }
@@ -124,25 +126,27 @@ impl Collector {
     ) -> Result<()> {
         match (&patch.beams, aim) {
             (_, Aim::Aside) => Ok(()),
-            (Beams::FromOne(view), Aim::At(crossings)) => {
-                let place = Place::At(view.header.origin);
+            (UnpackedBeams::FromOne(view), Aim::At(crossings)) => {
+                let place = StationOrigin::At(view.header.origin);
                 self.absorb_crossings::<M>(view, crossings, place, others, Some, interrupt)?;
                 match others {
                     Some(others) if self.is_slim => self.absorb_beside::<M>(view, crossings, others, interrupt),
                     _ => Ok(()),
                 }
             }
-            (Beams::FromOne(view), _) => self.absorb_view::<M>(view, Place::At(view.header.origin), Some, interrupt),
+            (UnpackedBeams::FromOne(view), _) => {
+                self.absorb_view::<M>(view, StationOrigin::At(view.header.origin), Some, interrupt)
+            }
             // Each place counts alone; together they are one station.
-            (Beams::FromMany(views), _) => {
+            (UnpackedBeams::FromMany(views), _) => {
                 for view in views {
                     if self.concerns(&view.header) {
-                        self.absorb_view::<M>(view, Place::Many, Some, interrupt)?;
+                        self.absorb_view::<M>(view, StationOrigin::Many, Some, interrupt)?;
                     }
                 }
                 Ok(())
             }
-            (Beams::Points(points), _) => self.absorb_cloud::<M>(&patch.header, points, interrupt),
+            (UnpackedBeams::Points(points), _) => self.absorb_cloud::<M>(&patch.header, points, interrupt),
         }
     }
 
@@ -150,7 +154,7 @@ impl Collector {
     pub(super) fn absorb_view<M: BeamModel>(
         &mut self,
         view: &RangeImage,
-        place: Place,
+        place: StationOrigin,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
         interrupt: Interrupt,
     ) -> Result<()> {
@@ -165,8 +169,8 @@ impl Collector {
     fn absorb_crossings<M: BeamModel>(
         &mut self,
         view: &RangeImage,
-        crossings: &[Crossing],
-        place: Place,
+        crossings: &[BeamCrossing],
+        place: StationOrigin,
         others: Option<OtherObjects<'_>>,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
         interrupt: Interrupt,
@@ -183,8 +187,8 @@ impl Collector {
     fn gather<M: BeamModel>(
         &mut self,
         view: &RangeImage,
-        place: Place,
-        beams: &M::Beams<'_>,
+        place: StationOrigin,
+        beams: &M::PreparedBeams<'_>,
         interrupt: Interrupt,
     ) -> Result<()> {
         let header = &view.header;
@@ -193,7 +197,7 @@ impl Collector {
         let Evidence { samples, stations, .. } = &mut self.evidence;
         let station = &mut stations[number];
         let gathering =
-            Gathering::<'_, '_, M> { samples, scanner_local: header.origin - samples.reference, place, beams };
+            BlockGatherer::<'_, '_, M> { samples, scanner_local: header.origin - samples.reference, place, beams };
         let mut buffer = [Sums::default(); BLOCK];
         for (i, (block, (centre, radius))) in samples.blocks.iter().zip(&self.balls).enumerate() {
             let offset = centre - gathering.scanner_local;
@@ -220,11 +224,11 @@ impl Collector {
 
     /// How far from the scanner a patch can tell anything, metres: behind its farthest return by the search band as a
     /// beam at the steepest admitted incidence sees it.
-    fn reach(&self, header: &Header) -> f64 {
+    fn reach(&self, header: &PatchHeader) -> f64 {
         let model = &self.evidence.model;
         let behind = model.band_in_front() / model.max_incidence.cos();
         let returns = f64::from(header.range[1]) + behind + self.kernel_radius();
-        if header.flags & Header::FLAG_NO_RETURNS != 0 { returns.max(model.no_return_range) } else { returns }
+        if header.flags & PatchHeader::FLAG_NO_RETURNS != 0 { returns.max(model.no_return_range) } else { returns }
     }
 
     fn kernel_radius(&self) -> f64 {
@@ -233,29 +237,29 @@ impl Collector {
 }
 
 /// Angle beyond the patch's cone within which a sample is still in the kernel of its beams, radians.
-fn margin(header: &Header) -> f64 {
+fn margin(header: &PatchHeader) -> f64 {
     KERNEL_SPACINGS * f64::from(header.step) + 1e-6
 }
 
 /// The samples of an object and the beams of a view, to be brought together block by block.
-struct Gathering<'a, 'v, M: BeamModel> {
+struct BlockGatherer<'a, 'v, M: BeamModel> {
     samples: &'a Samples,
     scanner_local: Vec3,
-    place: Place,
-    beams: &'a M::Beams<'v>,
+    place: StationOrigin,
+    beams: &'a M::PreparedBeams<'v>,
 }
 
-impl<M: BeamModel> Gathering<'_, '_, M> {
+impl<M: BeamModel> BlockGatherer<'_, '_, M> {
     /// Whether a block in a ball at `offset` from the scanner looks away from it.
-    fn looks_away(&self, block: &Block, offset_scanner: &Vec3, radius: f64) -> bool {
+    fn looks_away(&self, block: &SampleBlock, offset_scanner: &Vec3, radius: f64) -> bool {
         let normal = &self.samples.normals[block.face as usize];
         M::CROSSES_SURFACE && !self.samples.two_sided && offset_scanner.dot(normal) > radius
     }
 
-    fn add_to(&self, block: &Block, sums: &mut [Sums]) {
+    fn add_to(&self, block: &SampleBlock, sums: &mut [Sums]) {
         let normal = &self.samples.normals[block.face as usize];
         // Deviations count towards the scanner; where there are many, along the normal.
-        let turns = self.place == Place::Many && M::MEASURES_DEVIATIONS;
+        let turns = self.place == StationOrigin::Many && M::MEASURES_DEVIATIONS;
         for (k, sums) in sums.iter_mut().enumerate() {
             let offset = self.samples.local(block.start as usize + k) - self.scanner_local;
             let behind = self.samples.two_sided && offset.dot(normal) > 0.0;

@@ -5,10 +5,10 @@ use nalgebra::Matrix3;
 use super::collector::Collector;
 use super::point_index::{LocalPoint, PointIndex};
 use crate::geometry::{Aabb, Vec3};
-use crate::scan::{Beam, Header, Patch, RangeImage};
-use crate::uncertain::Point;
-use crate::verify::aim::{Crossing, OtherObjects, image_rectangle};
-use crate::verify::evidence::{Evidence, Place, Samples};
+use crate::scan::{Beam, Patch, PatchHeader, RangeImage};
+use crate::uncertain::UncertainPoint;
+use crate::verify::aim::{BeamCrossing, OtherObjects, image_rectangle};
+use crate::verify::evidence::{Evidence, Samples, StationOrigin};
 use crate::verify::model::{BeamModel, BeamOutcome, PointTouch, may_be_anothers, with_model};
 use crate::{Interrupt, Result, poll};
 
@@ -18,13 +18,13 @@ const TIE_POINTS: i64 = 0;
 impl Collector {
     /// Adds what an uncertain point (a tie point) tells that cameras saw: a surface at its place, once, however many
     /// cameras there were, and empty space along their rays, one weight shared out among them.
-    pub fn absorb_tie_point(&mut self, point: &Point, cameras: &[Vec3], interrupt: Interrupt) -> Result<()> {
+    pub fn absorb_tie_point(&mut self, point: &UncertainPoint, cameras: &[Vec3], interrupt: Interrupt) -> Result<()> {
         with_model!(self.evidence.model.kind, M => self.absorb_tie_point_with::<M>(point, cameras, interrupt))
     }
 
     fn absorb_tie_point_with<M: BeamModel>(
         &mut self,
-        point: &Point,
+        point: &UncertainPoint,
         cameras: &[Vec3],
         interrupt: Interrupt,
     ) -> Result<()> {
@@ -46,7 +46,7 @@ impl Collector {
                     BeamOutcome::SeenThrough { weight } => Some(BeamOutcome::SeenThrough { weight: weight * share }),
                     BeamOutcome::Surface { .. } => None,
                 };
-                self.absorb_view::<M>(&view, Place::At(*camera), seen_through, interrupt)?;
+                self.absorb_view::<M>(&view, StationOrigin::At(*camera), seen_through, interrupt)?;
             }
         }
         Ok(())
@@ -54,7 +54,7 @@ impl Collector {
 
     pub(super) fn absorb_cloud<M: BeamModel>(
         &mut self,
-        header: &Header,
+        header: &PatchHeader,
         returns: &[Vec3],
         interrupt: Interrupt,
     ) -> Result<()> {
@@ -70,7 +70,7 @@ impl Collector {
         let index = made(point_index, &evidence.samples, interrupt)?;
         let model = evidence.model;
         let bands = (model.band_in_front(), model.band_behind());
-        let number = evidence.station_index(id, Place::Unknown);
+        let number = evidence.station_index(id, StationOrigin::Unknown);
         let Evidence { samples, stations, .. } = evidence;
         let station = &mut stations[number];
         for (i, point) in points.iter().enumerate() {
@@ -92,7 +92,7 @@ impl Collector {
     pub(super) fn absorb_beside<M: BeamModel>(
         &mut self,
         view: &RangeImage,
-        crossings: &[Crossing],
+        crossings: &[BeamCrossing],
         others: OtherObjects<'_>,
         interrupt: Interrupt,
     ) -> Result<()> {
@@ -101,7 +101,7 @@ impl Collector {
         let model = evidence.model;
         let (header, band) = (&view.header, model.band_in_front());
         let around = evidence.bounds.expanded(band);
-        let number = evidence.station_index(header.station, Place::At(header.origin));
+        let number = evidence.station_index(header.station, StationOrigin::At(header.origin));
         let Evidence { samples, stations, .. } = evidence;
         let station = &mut stations[number];
         let scanner_local = header.origin - samples.reference;
@@ -128,7 +128,7 @@ impl Collector {
 }
 
 /// What a beam met within the box around an object without being aimed at it.
-fn met_beside(view: &RangeImage, slot: usize, crossings: &[Crossing], around: &Aabb) -> Option<Vec3> {
+fn met_beside(view: &RangeImage, slot: usize, crossings: &[BeamCrossing], around: &Aabb) -> Option<Vec3> {
     let met_world = view.directions[slot] * view.ranges[slot] + view.header.origin;
     let is_aimed = || crossings.binary_search_by_key(&slot, |c| c.slot as usize).is_ok();
     let is_beside = !view.ranges[slot].is_infinite() && around.holds(&met_world) && !is_aimed();

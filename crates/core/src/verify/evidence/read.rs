@@ -1,12 +1,12 @@
 //! Reading stored evidence, of this layout and of older ones: see `write` for what they are.
 
 use super::header::EvidenceHeader;
-use super::samples::{BLOCK, Block, Samples};
-use super::station::{Place, Station};
+use super::samples::{BLOCK, SampleBlock, Samples};
+use super::station::{StationEvidence, StationOrigin};
 use super::value::{Evidence, MAX_SUMS};
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
-use crate::num::bytes::Reader;
+use crate::num::bytes::ByteReader;
 use crate::num::sections::{self, BODY, HEADER};
 use crate::verify::model::{BeamModel, EvidenceModel, ModelKind, Sums, with_model};
 use crate::{Grow, Interrupt, NEVER, poll_now_and_then};
@@ -23,7 +23,7 @@ impl Evidence {
     /// Reads bytes, foreign ones too: nothing is read past them, and no more is allocated than `MAX_SUMS` allows.
     pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
         let h = read_header(bytes)?;
-        let mut r = Reader::new(body(bytes, h.version, interrupt)?, TY);
+        let mut r = ByteReader::new(body(bytes, h.version, interrupt)?, TY);
         let [faces, blocks, samples, stations] = h.counts.map(|c| c as usize);
         let least = 24 * faces as u64 + 2 * blocks as u64 + 12 * samples as u64 + 36 * stations as u64;
         if least > r.remaining() as u64 {
@@ -57,7 +57,7 @@ struct RawHeader {
 }
 
 fn read_header(bytes: &[u8]) -> Result<RawHeader> {
-    let mut r = Reader::new(bytes, TY);
+    let mut r = ByteReader::new(bytes, TY);
     let version = r.u8()?;
     if r.u8()? != b'E' {
         return Err(r.bad("it does not start as evidence does"));
@@ -92,7 +92,7 @@ fn body<'a>(bytes: &'a [u8], version: u8, interrupt: Interrupt) -> Result<&'a [u
     Ok(bytes.get(4 + Evidence::HEADER_CONTENT..).unwrap_or_default())
 }
 
-fn read_samples(r: &mut Reader, h: &RawHeader, interrupt: Interrupt) -> Result<Samples> {
+fn read_samples(r: &mut ByteReader, h: &RawHeader, interrupt: Interrupt) -> Result<Samples> {
     let [faces, blocks, samples, _] = h.counts.map(|c| c as usize);
     let (normals, surface_of_face) = read_faces(r, faces, h.version, interrupt)?;
     let blocks = read_blocks(r, blocks, faces, samples, interrupt)?;
@@ -105,12 +105,12 @@ fn read_samples(r: &mut Reader, h: &RawHeader, interrupt: Interrupt) -> Result<S
     Ok(Samples { reference: h.reference, positions, normals, surface_of_face, blocks, two_sided: h.two_sided })
 }
 
-fn unit(r: &mut Reader) -> Result<Vec3> {
+fn unit(r: &mut ByteReader) -> Result<Vec3> {
     let n = r.vec3()?;
     if (n.norm() - 1.0).abs() < 1e-6 { Ok(n) } else { Err(r.bad("a normal is not a unit vector")) }
 }
 
-fn read_faces(r: &mut Reader, count: usize, version: u8, interrupt: Interrupt) -> Result<(Vec<Vec3>, Vec<u32>)> {
+fn read_faces(r: &mut ByteReader, count: usize, version: u8, interrupt: Interrupt) -> Result<(Vec<Vec3>, Vec<u32>)> {
     let (mut normals, mut surfaces) = (Vec::new(), Vec::new());
     normals.grow(count, interrupt)?;
     surfaces.grow(count, interrupt)?;
@@ -126,12 +126,18 @@ fn read_faces(r: &mut Reader, count: usize, version: u8, interrupt: Interrupt) -
     Ok((normals, surfaces))
 }
 
-fn finite_position(r: &mut Reader) -> Result<[f32; 3]> {
+fn finite_position(r: &mut ByteReader) -> Result<[f32; 3]> {
     let p = [r.f32()?, r.f32()?, r.f32()?];
     if p.iter().all(|c| c.is_finite()) { Ok(p) } else { Err(r.bad("a sample is not finite")) }
 }
 
-fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize, interrupt: Interrupt) -> Result<Vec<Block>> {
+fn read_blocks(
+    r: &mut ByteReader,
+    count: usize,
+    faces: usize,
+    samples: usize,
+    interrupt: Interrupt,
+) -> Result<Vec<SampleBlock>> {
     let mut start = 0u64;
     let mut out = Vec::new();
     out.grow(count, interrupt)?;
@@ -141,7 +147,7 @@ fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize, inter
         if face >= faces as u64 || len == 0 || len as usize > BLOCK {
             return Err(r.bad(format!("a block of {len} samples on face {face} of {faces}")));
         }
-        out.push(Block { start: start as u32, len, face: face as u32 });
+        out.push(SampleBlock { start: start as u32, len, face: face as u32 });
         start += u64::from(len);
         if start > samples as u64 {
             break;
@@ -151,15 +157,15 @@ fn read_blocks(r: &mut Reader, count: usize, faces: usize, samples: usize, inter
 }
 
 fn read_station(
-    r: &mut Reader,
+    r: &mut ByteReader,
     samples: &Samples,
     header: &RawHeader,
     room: &mut usize,
     interrupt: Interrupt,
-) -> Result<Station> {
+) -> Result<StationEvidence> {
     let id = r.i64()?;
-    let place = Place::from_vec3(r.vec3()?).ok_or_else(|| r.bad("a station's origin is not finite"))?;
-    let mut station = Station::new(id, place);
+    let place = StationOrigin::from_vec3(r.vec3()?).ok_or_else(|| r.bad("a station's origin is not finite"))?;
+    let mut station = StationEvidence::new(id, place);
     if header.version >= 3 {
         station.step = r.f32()?;
         if !(0.0..=1e3).contains(&station.step) {
@@ -184,7 +190,7 @@ fn read_station(
     Ok(station)
 }
 
-fn read_sums(r: &mut Reader, kind: ModelKind) -> Result<Sums> {
+fn read_sums(r: &mut ByteReader, kind: ModelKind) -> Result<Sums> {
     let beams = u32::try_from(r.varint()?).map_err(|_| r.bad("too many beams"))?;
     let mut parts = [0; Sums::PARTS];
     if beams > 0 {

@@ -26,14 +26,14 @@ pub struct Samples {
     /// The smooth surface that each face is a facet of.
     pub(in crate::verify) surface_of_face: Vec<u32>,
     /// In the order of the faces.
-    pub(in crate::verify) blocks: Vec<Block>,
+    pub(in crate::verify) blocks: Vec<SampleBlock>,
     /// The faces are seen from both sides (an open surface).
     pub(in crate::verify) two_sided: bool,
 }
 
 /// A run of samples on one face.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Block {
+pub struct SampleBlock {
     /// First sample.
     pub start: u32,
     /// Number of samples, 1 to [`BLOCK`].
@@ -94,7 +94,7 @@ impl Samples {
             poll_now_and_then(self.blocks.len(), interrupt)?;
             self.blocks.grow(1, interrupt)?;
             self.positions.grow(run.len(), interrupt)?;
-            self.blocks.push(Block { start: self.positions.len() as u32, len: run.len() as u32, face });
+            self.blocks.push(SampleBlock { start: self.positions.len() as u32, len: run.len() as u32, face });
             self.positions.extend(run.iter().map(|p| {
                 let local = p - self.reference;
                 [local.x as f32, local.y as f32, local.z as f32]
@@ -149,7 +149,7 @@ impl Samples {
     }
 
     /// Centre (local) and radius of a ball around a block.
-    fn ball(&self, block: &Block) -> (Vec3, f64) {
+    fn ball(&self, block: &SampleBlock) -> (Vec3, f64) {
         let range = block.start as usize..(block.start + block.len) as usize;
         let centre = range.clone().map(|i| self.local(i)).sum::<Vec3>() / f64::from(block.len);
         let radius = range.map(|i| (self.local(i) - centre).norm()).fold(0.0, f64::max);

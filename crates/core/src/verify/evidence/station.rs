@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use crate::geometry::Vec3;
-use crate::verify::model::{Sight, Sums};
+use crate::verify::model::{Sums, ViewingGeometry};
 use crate::{Interrupt, Result, poll_now_and_then};
 
 /// Where the beams of a station start.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Place {
+pub enum StationOrigin {
     /// At one point, world metres.
     At(Vec3),
     /// Along the way of a moving platform.
@@ -17,7 +17,7 @@ pub enum Place {
     Unknown,
 }
 
-impl Place {
+impl StationOrigin {
     /// As three numbers: the point, infinity for many, NaN for unknown.
     pub(in crate::verify) fn to_vec3(self) -> Vec3 {
         match self {
@@ -27,7 +27,7 @@ impl Place {
         }
     }
 
-    /// The mirror of [`Place::to_vec3`]; `None` for numbers that are no place.
+    /// The mirror of [`StationOrigin::to_vec3`]; `None` for numbers that are no place.
     pub(in crate::verify) fn from_vec3(v: Vec3) -> Option<Self> {
         match v {
             v if v.iter().all(|c| c.is_finite()) => Some(Self::At(v)),
@@ -40,29 +40,29 @@ impl Place {
 
 /// What one station's beams add up to, by block of samples; blocks it never saw are absent.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Station {
+pub struct StationEvidence {
     /// The station's number, as in its patches.
     pub id: i64,
     /// Where its beams start. With the number, what tells stations apart.
-    pub place: Place,
+    pub place: StationOrigin,
     /// Widest angle between neighbouring beams, radians; 0 where it is not known.
     pub(in crate::verify) step: f32,
     /// By number of the block.
     pub(in crate::verify) blocks: BTreeMap<u32, Box<[Sums]>>,
 }
 
-impl Station {
+impl StationEvidence {
     /// A station that saw nothing yet.
-    pub(super) fn new(id: i64, place: Place) -> Self {
+    pub(super) fn new(id: i64, place: StationOrigin) -> Self {
         Self { id, place, step: 0.0, blocks: BTreeMap::new() }
     }
 
     /// Order of stations in a value: by number, then by place.
     pub(in crate::verify) fn key(&self) -> (i64, [u64; 3]) {
         let place = match self.place {
-            Place::At(origin) => origin.map(f64::to_bits).into(),
-            Place::Many => [u64::MAX - 1; 3],
-            Place::Unknown => [u64::MAX; 3],
+            StationOrigin::At(origin) => origin.map(f64::to_bits).into(),
+            StationOrigin::Many => [u64::MAX - 1; 3],
+            StationOrigin::Unknown => [u64::MAX; 3],
         };
         (self.id, place)
     }
@@ -78,17 +78,17 @@ impl Station {
     }
 
     /// How it looks at a sample. Without one place that sees it, a sample counts along the normal and has no range.
-    pub(in crate::verify) fn sight(&self, position_world: &Vec3, normal: &Vec3) -> Sight {
+    pub(in crate::verify) fn viewing_geometry(&self, position_world: &Vec3, normal: &Vec3) -> ViewingGeometry {
         let (sight, range) = match self.place {
-            Place::At(origin) => (position_world - origin, (position_world - origin).norm().max(1e-6)),
-            Place::Many | Place::Unknown => (-normal, 0.0),
+            StationOrigin::At(origin) => (position_world - origin, (position_world - origin).norm().max(1e-6)),
+            StationOrigin::Many | StationOrigin::Unknown => (-normal, 0.0),
         };
-        Sight {
+        ViewingGeometry {
             range,
             cos: sight.dot(normal).abs() / sight.norm().max(1e-6),
             from_outside: sight.dot(normal) <= 0.0,
             step: f64::from(self.step),
-            has_rays: self.place != Place::Unknown,
+            has_rays: self.place != StationOrigin::Unknown,
         }
     }
 

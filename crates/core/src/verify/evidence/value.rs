@@ -1,7 +1,7 @@
 //! Evidence as a value: samples and, per station, the sums that belief is made from.
 
 use super::samples::{BLOCK, Samples};
-use super::station::{Place, Station};
+use super::station::{StationEvidence, StationOrigin};
 use crate::Interrupt;
 use crate::error::{Error, Limited, Mismatch, Result};
 use crate::geometry::{Aabb, Solid};
@@ -22,7 +22,7 @@ pub struct Evidence {
     /// [`Verifier`](crate::verify::Verifier).
     pub(in crate::verify) knows_neighbours: bool,
     /// Ordered by number, then origin, so that equal evidence has equal bytes.
-    pub(in crate::verify) stations: Vec<Station>,
+    pub(in crate::verify) stations: Vec<StationEvidence>,
 }
 
 impl Evidence {
@@ -54,12 +54,12 @@ impl Evidence {
     }
 
     /// The stations that saw anything of the solid.
-    pub fn stations(&self) -> &[Station] {
+    pub fn stations(&self) -> &[StationEvidence] {
         &self.stations
     }
 
     /// The stations that saw anything of block `b`, with their places in the list and their sums.
-    pub(in crate::verify) fn stations_of_block(&self, b: usize) -> Vec<(usize, &Station, &[Sums])> {
+    pub(in crate::verify) fn stations_of_block(&self, b: usize) -> Vec<(usize, &StationEvidence, &[Sums])> {
         self.stations.iter().enumerate().filter_map(|(i, s)| Some((i, s, &**s.blocks.get(&(b as u32))?))).collect()
     }
 
@@ -69,11 +69,11 @@ impl Evidence {
     }
 
     /// The place of a station in [`Evidence::stations`], made if it is new.
-    pub(in crate::verify) fn station_index(&mut self, id: i64, place: Place) -> usize {
+    pub(in crate::verify) fn station_index(&mut self, id: i64, place: StationOrigin) -> usize {
         if let Some(i) = self.stations.iter().position(|s| s.id == id && s.place == place) {
             return i;
         }
-        let fresh = Station::new(id, place);
+        let fresh = StationEvidence::new(id, place);
         let at = self.stations.partition_point(|s| s.key() < fresh.key());
         self.stations.insert(at, fresh);
         at

@@ -8,7 +8,7 @@
 //! five signed varints. Versions 1 to 3 are read: preamble, header and body one after the other, without checksums;
 //! versions 1 and 2 have no surfaces (every face is one) and no steps.
 
-use super::station::Station;
+use super::station::StationEvidence;
 use super::value::Evidence;
 use crate::num::bytes::Put;
 use crate::num::sections::{BODY, HEADER, begin, header_end, put_section};
@@ -66,7 +66,7 @@ impl Evidence {
     }
 }
 
-fn write_station(station: &Station, out: &mut Vec<u8>, interrupt: Interrupt) -> Result<()> {
+fn write_station(station: &StationEvidence, out: &mut Vec<u8>, interrupt: Interrupt) -> Result<()> {
     out.put_i64(station.id);
     out.put_vec3(&station.place.to_vec3());
     out.put_f32(station.step);

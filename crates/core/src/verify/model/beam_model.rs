@@ -3,10 +3,10 @@
 use super::kind::with_model;
 use super::outcome::BeamOutcome;
 use super::parameters::EvidenceModel;
-use super::sight::Sight;
 use super::statement::Statement;
 use super::sums::Sums;
 use super::touch::PointTouch;
+use super::viewing_geometry::ViewingGeometry;
 use crate::geometry::Vec3;
 use crate::scan::RangeImage;
 use crate::verify::aim::AimedAt;
@@ -15,7 +15,7 @@ use crate::verify::aim::AimedAt;
 /// [`with_model`].
 pub trait BeamModel {
     /// The beams of a patch, made ready for all samples around.
-    type Beams<'v>;
+    type PreparedBeams<'v>;
 
     /// Whether each beam is asked against the drawn surface first, and tells only of the place where it crosses that:
     /// samples that look away from the scanner are then left out.
@@ -37,13 +37,13 @@ pub trait BeamModel {
         aimed: &AimedAt<'_>,
         model: &'v EvidenceModel,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
-    ) -> Option<Self::Beams<'v>>;
+    ) -> Option<Self::PreparedBeams<'v>>;
 
     /// How far beside the patch's cone samples are that its beams tell of, metres.
-    fn beside_cone(beams: &Self::Beams<'_>) -> f64;
+    fn beside_cone(beams: &Self::PreparedBeams<'_>) -> f64;
 
     /// Adds the beams around a sample at `offset_scanner`, whose `normal` looks at the scanner.
-    fn gather(beams: &Self::Beams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: &mut Sums);
+    fn gather(beams: &Self::PreparedBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: &mut Sums);
 
     /// The same sums, their deviations counted the other way.
     fn turned(sums: &Sums) -> Sums;
@@ -52,7 +52,7 @@ pub trait BeamModel {
     fn add_point(touch: &PointTouch, model: &EvidenceModel, sums: &mut Sums);
 
     /// What a station's sums state; `None` where they state nothing.
-    fn read(sums: &Sums, sight: &Sight, model: &EvidenceModel) -> Option<Statement>;
+    fn read(sums: &Sums, sight: &ViewingGeometry, model: &EvidenceModel) -> Option<Statement>;
 
     /// A sample is seen when as much belief as this could be formed there.
     fn least_belief_of_seen(model: &EvidenceModel) -> f64;

@@ -3,10 +3,10 @@
 use super::beam_model::BeamModel;
 use super::outcome::BeamOutcome;
 use super::parameters::EvidenceModel;
-use super::sight::Sight;
 use super::statement::Statement;
 use super::sums::Sums;
 use super::touch::PointTouch;
+use super::viewing_geometry::ViewingGeometry;
 use crate::evidence::{LogCommonality, Mass};
 use crate::geometry::Vec3;
 use crate::scan::RangeImage;
@@ -55,7 +55,7 @@ impl RaySums {
 }
 
 impl BeamModel for Meyer2022 {
-    type Beams<'v> = RayBeams<'v>;
+    type PreparedBeams<'v> = RayBeams<'v>;
 
     const CROSSES_SURFACE: bool = false;
     const MEASURES_DEVIATIONS: bool = false;
@@ -122,7 +122,7 @@ impl BeamModel for Meyer2022 {
         add_mass(&mass.discounted(model.reliability), sums);
     }
 
-    fn read(sums: &Sums, _: &Sight, _: &EvidenceModel) -> Option<Statement> {
+    fn read(sums: &Sums, _: &ViewingGeometry, _: &EvidenceModel) -> Option<Statement> {
         Some(Statement::Belief(commonality(sums)))
     }
 

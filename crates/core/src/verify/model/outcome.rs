@@ -5,7 +5,7 @@ use super::parameters::EvidenceModel;
 use super::surface_sums::DEVIATION;
 use crate::geometry::{BLUNT_EDGE_COS, Vec3};
 use crate::scan::{AngularGrid, RangeImage};
-use crate::verify::aim::{AimedAt, Crossing, Foot, foot};
+use crate::verify::aim::{AimedAt, BeamCrossing, Foot, foot};
 
 /// What one beam met.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,7 +99,7 @@ struct Classifier<'a> {
 
 impl Classifier<'_> {
     /// What is left of an outcome where other objects are known.
-    fn of_this_object(&self, crossing: &Crossing, outcome: BeamOutcome) -> Option<BeamOutcome> {
+    fn of_this_object(&self, crossing: &BeamCrossing, outcome: BeamOutcome) -> Option<BeamOutcome> {
         let (Some(others), BeamOutcome::Surface { deviation, .. }) = (self.aimed.others, outcome) else {
             return Some(outcome);
         };
@@ -111,7 +111,7 @@ impl Classifier<'_> {
     }
 
     /// What the beam met, with the place of which it tells; `None` where it tells nothing.
-    fn placed(&self, crossing: &Crossing) -> Option<PlacedOutcome> {
+    fn placed(&self, crossing: &BeamCrossing) -> Option<PlacedOutcome> {
         let (view, model) = (self.view, self.model);
         let slot = crossing.slot as usize;
         let (t, range, direction) = (crossing.distance, view.ranges[slot], &view.directions[slot]);
@@ -139,7 +139,7 @@ impl Classifier<'_> {
     }
 
     /// A surface, told of at the foot of the return; `None` where the drawn surface has none near.
-    fn at_foot(&self, crossing: &Crossing, normal: &Vec3, share: f32) -> Option<PlacedOutcome> {
+    fn at_foot(&self, crossing: &BeamCrossing, normal: &Vec3, share: f32) -> Option<PlacedOutcome> {
         let (target, origin) = (self.aimed.target, self.view.header.origin);
         let slot = crossing.slot as usize;
         let met_world = self.view.directions[slot] * self.view.ranges[slot] + origin;

@@ -5,7 +5,7 @@ use super::kind::ModelKind;
 use super::question::Question;
 use crate::error::{Error, Result};
 use crate::evidence::{Loa, RayModel};
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::num::text::number;
 use crate::scan::{JOIN_MARGIN_M, NO_RETURN_REACH_M};
 
@@ -68,10 +68,10 @@ impl Default for EvidenceModel {
     }
 }
 
-type Field = (&'static str, fn(&mut EvidenceModel) -> &mut f64, f64, f64, &'static str);
+type ParameterRow = (&'static str, fn(&mut EvidenceModel) -> &mut f64, f64, f64, &'static str);
 
 /// Name, place, allowed range, and that range in words, of every number.
-const FIELDS: [Field; 13] = [
+const FIELDS: [ParameterRow; 13] = [
     ("spacing", |m| &mut m.spacing, 1e-4, EvidenceModel::MAX_SPACING_M, "between 0.0001 and 10 m"),
     ("sigma_range", |m| &mut m.sigma_range, 0.0, 1.0, "between 0 and 1 m"),
     ("sigma_angle", |m| &mut m.sigma_angle, 0.0, 0.1, "between 0 and 0.1 rad"),
@@ -165,7 +165,7 @@ impl EvidenceModel {
     }
 
     /// Reads the stored form, checking every range.
-    pub fn read(r: &mut Reader) -> Result<Self> {
+    pub fn read(r: &mut ByteReader) -> Result<Self> {
         let word = r.u32()?;
         let number = word & 0xff;
         let kind = ModelKind::of_number(number).ok_or_else(|| r.bad(format!("unknown evidence model {number}")))?;
@@ -229,7 +229,7 @@ mod tests {
         m.intensity = Some(IntensityNoise::new(1200, 1.5).unwrap());
         let mut bytes = Vec::new();
         m.write(&mut bytes);
-        assert_eq!(EvidenceModel::read(&mut Reader::new(&bytes, "model")).unwrap(), m);
+        assert_eq!(EvidenceModel::read(&mut ByteReader::new(&bytes, "model")).unwrap(), m);
         assert_eq!(EvidenceModel::from_text(&m.to_text()).unwrap(), m);
         assert_eq!(EvidenceModel::from_text("").unwrap(), EvidenceModel::default());
         assert_eq!(EvidenceModel::from_text("LOA20").unwrap().question.loa, Loa::Loa20);

@@ -8,11 +8,11 @@ use super::beam_model::BeamModel;
 use super::kernel::{BEAMS_IN_KERNEL, KERNEL_SPACINGS, MEAN_WEIGHT, WEIGHT, goes_on, is_within, weight};
 use super::outcome::{BeamOutcome, BeamOutcomes};
 use super::parameters::EvidenceModel;
-use super::sight::Sight;
 use super::statement::{Statement, StationObservation};
 use super::sums::Sums;
 use super::surface_sums::{DEVIATION, SurfaceReading, SurfaceSums};
 use super::touch::PointTouch;
+use super::viewing_geometry::ViewingGeometry;
 use crate::geometry::Vec3;
 use crate::scan::RangeImage;
 use crate::verify::aim::AimedAt;
@@ -34,7 +34,7 @@ pub struct SurfaceBeams<'v> {
 }
 
 impl BeamModel for Surface {
-    type Beams<'v> = SurfaceBeams<'v>;
+    type PreparedBeams<'v> = SurfaceBeams<'v>;
 
     const CROSSES_SURFACE: bool = true;
     const MEASURES_DEVIATIONS: bool = true;
@@ -85,7 +85,7 @@ impl BeamModel for Surface {
         sums.add_beam(SurfaceSums::met(w, d, variance).parts());
     }
 
-    fn read(sums: &Sums, sight: &Sight, model: &EvidenceModel) -> Option<Statement> {
+    fn read(sums: &Sums, sight: &ViewingGeometry, model: &EvidenceModel) -> Option<Statement> {
         let r = &SurfaceReading::of(sums)?;
         let brightness = brightness(r, sums, model);
         // Sums count towards the scanner; values count along the outward normal.
@@ -167,14 +167,14 @@ fn brightness(r: &SurfaceReading, sums: &Sums, model: &EvidenceModel) -> f64 {
 }
 
 /// Variance of one beam's deviation, from range and angle, m².
-fn beam_variance(sight: &Sight, model: &EvidenceModel) -> f64 {
+fn beam_variance(sight: &ViewingGeometry, model: &EvidenceModel) -> f64 {
     let sin = (1.0 - sight.cos * sight.cos).max(0.0).sqrt();
     (model.sigma_range * sight.cos).powi(2) + (model.sigma_angle * sight.range * sin).powi(2)
 }
 
 /// How far the beams around a sample met one surface: where they scatter by more than noise and roughness, some met
 /// the edge's other side or what stands before it, and their mean is the place of nothing.
-fn unmixed(r: &SurfaceReading, sight: &Sight, model: &EvidenceModel) -> f64 {
+fn unmixed(r: &SurfaceReading, sight: &ViewingGeometry, model: &EvidenceModel) -> f64 {
     let of_one_surface = 9.0 * beam_variance(sight, model) + ROUGHNESS_M * ROUGHNESS_M;
     (of_one_surface / r.variance.max(of_one_surface)).powi(2)
 }

@@ -8,7 +8,7 @@ use crate::num::eigen;
 /// Terms of a trend at the most.
 pub const TERMS: usize = 9;
 /// One number a term.
-pub type Row = SVector<f64, TERMS>;
+pub type TermVector = SVector<f64, TERMS>;
 
 /// With fewer samples a bend is not told from noise.
 const MIN_BENT: usize = 40;
@@ -69,21 +69,21 @@ impl Basis {
     }
 
     /// The terms at a place.
-    pub fn row(&self, o: &DeviationSample) -> Row {
+    pub fn row(&self, o: &DeviationSample) -> TermVector {
         let (s, t) = self.coordinates(o);
         let n = &o.normal;
         let mut row = if self.curved {
             let q = s * s;
-            Row::from([n.x, n.y, n.z, n.x * s, n.y * s, n.z * s, n.x * q, n.y * q, n.z * q])
+            TermVector::from([n.x, n.y, n.z, n.x * s, n.y * s, n.z * s, n.x * q, n.y * q, n.z * q])
         } else {
-            Row::from([1.0, s, t, s * s, s * t, t * t, 0.0, 0.0, 0.0])
+            TermVector::from([1.0, s, t, s * s, s * t, t * t, 0.0, 0.0, 0.0])
         };
         row.iter_mut().skip(self.terms).for_each(|x| *x = 0.0);
         row
     }
 
     /// Steepness of a trend at a place: along the axis of a lateral surface, in any direction over a plane face.
-    pub fn slope(&self, c: &Row, o: &DeviationSample) -> f64 {
+    pub fn slope(&self, c: &TermVector, o: &DeviationSample) -> f64 {
         let (s, t) = self.coordinates(o);
         let rise = if self.curved {
             let term = |k: usize| Vec3::new(c[k], c[k + 1], c[k + 2]).dot(&o.normal);

@@ -9,7 +9,7 @@ const IN_FRONT_RELIABILITY: f64 = 0.9;
 
 /// A body of evidence: stations that agree.
 #[derive(Debug, Clone, Copy)]
-pub struct Body {
+pub struct EvidenceBody {
     /// Deviation of the built surface along the outward normal, metres; none where all saw through the face.
     pub deviation: CompactDeviation,
     /// Its variance from the beams' noise, m².
@@ -26,7 +26,7 @@ pub struct Body {
     pub stations: u8,
 }
 
-impl Body {
+impl EvidenceBody {
     /// The first that tells where the surface is, and how far off; `None` where no beam met one. Metres.
     pub fn on_surface(bodies: &[Self]) -> Option<(&Self, f64)> {
         bodies.iter().find_map(|b| Some((b, f64::from(b.deviation.get()?))))
@@ -56,7 +56,7 @@ impl Body {
 }
 
 /// Dempster's rule over bodies of evidence; and the belief that a surface stands in front of the face.
-pub fn mass_of(bodies: &[Body], model: &EvidenceModel) -> (Mass, f64) {
+pub fn mass_of(bodies: &[EvidenceBody], model: &EvidenceModel) -> (Mass, f64) {
     match bodies {
         [] => (Mass::VACUOUS, 0.0),
         [one] => one.mass(model),
@@ -74,7 +74,7 @@ pub fn mass_of(bodies: &[Body], model: &EvidenceModel) -> (Mass, f64) {
 }
 
 /// Stations that agree, being added up to a body.
-pub struct BodySum {
+pub struct EvidenceBodySum {
     /// (Station, its weight in the deviation).
     weights: Vec<(usize, f64)>,
     weight: f64,
@@ -89,7 +89,7 @@ pub struct BodySum {
     has_rays: bool,
 }
 
-impl BodySum {
+impl EvidenceBodySum {
     /// A body to which observations like this one will be added.
     pub fn like(first: &StationObservation) -> Self {
         Self {
@@ -125,9 +125,9 @@ impl BodySum {
     }
 
     /// All of them as one.
-    pub fn body(&self, model: &EvidenceModel) -> Body {
+    pub fn body(&self, model: &EvidenceModel) -> EvidenceBody {
         let w2 = self.weight * self.weight;
-        Body {
+        EvidenceBody {
             deviation: self.deviation.map(|sum| sum / self.weight).into(),
             random_variance: (self.random / w2) as f32,
             // The model's own error is common to all stations.

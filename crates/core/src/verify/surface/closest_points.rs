@@ -8,7 +8,7 @@ use rstar::primitives::GeomWithData;
 
 use super::vote::{Solution, Vote};
 use crate::geometry::Vec3;
-use crate::verify::evidence::{Evidence, Place, Station};
+use crate::verify::evidence::{Evidence, StationEvidence, StationOrigin};
 use crate::verify::model::{Sums, SurfaceReading, independence};
 use crate::{Interrupt, Result, poll};
 
@@ -152,15 +152,21 @@ impl SurfacePoints {
 
 impl BuiltPoint {
     /// Where a station met a surface around sample `i`, if it did.
-    fn of(e: &Evidence, i: usize, face: u32, (number, station): (usize, &Station), sums: &Sums) -> Option<Self> {
+    fn of(
+        e: &Evidence,
+        i: usize,
+        face: u32,
+        (number, station): (usize, &StationEvidence),
+        sums: &Sums,
+    ) -> Option<Self> {
         let r = SurfaceReading::of(sums).filter(|r| r.hit > 2.0 * r.through && r.hit > 1.0)?;
         let (sample_local, normal) = (e.samples.local(i), &e.samples.normals[face as usize]);
         let (sight, range) = match station.place {
-            Place::At(origin) => {
+            StationOrigin::At(origin) => {
                 let sight = sample_local + e.samples.reference - origin;
                 (sight.normalize(), sight.norm())
             }
-            Place::Many | Place::Unknown => (-normal, 0.0),
+            StationOrigin::Many | StationOrigin::Unknown => (-normal, 0.0),
         };
         // Sums count towards the scanner, and belong to the foot of what was met.
         let towards = if sight.dot(normal) <= 0.0 { *normal } else { -normal };

@@ -1,8 +1,9 @@
 //! The surface that was built, whatever tolerance will be asked.
 //!
-//! A [`SampleReading`] is what the stations state at one sample, as [`Body`]s of evidence. [`Observations`] are all
-//! seen samples of an object. A [`FittedObject`] has for each smooth surface what follows its `trend` (`surface_trend`,
-//! [`FittedSurface`]), and for each face where it is ([`FittedFace`]). From the faces follows the rigid [`Shift`].
+//! A [`SampleReading`] is what the stations state at one sample, as bodies of evidence ([`EvidenceBody`]).
+//! [`Observations`] are all seen samples of an object. A [`FittedObject`] has for each smooth surface what follows its
+//! `trend` (`surface_trend`, [`FittedSurface`]), and for each face where it is ([`FittedFace`]). From the faces follows
+//! the rigid [`Shift`].
 
 mod basis;
 mod body;
@@ -19,7 +20,7 @@ mod surface_trend;
 mod trend;
 mod vote;
 
-pub(super) use body::Body;
+pub(super) use body::EvidenceBody;
 pub(super) use fitted_face::FittedFace;
 pub(super) use fitted_object::FittedObject;
 pub(super) use fitted_surface::FittedSurface;

@@ -2,13 +2,13 @@
 
 use std::ops::Range;
 
-use super::body::{Body, mass_of};
+use super::body::{EvidenceBody, mass_of};
 use super::reading::SampleReading;
 use super::station_shares::StationShares;
 use crate::evidence::{LogCommonality, Mass};
 use crate::geometry::Vec3;
 use crate::num::sort::sort;
-use crate::verify::evidence::{Block, Evidence};
+use crate::verify::evidence::{Evidence, SampleBlock};
 use crate::verify::model::EvidenceModel;
 use crate::{Grow, Interrupt, Result, poll, room};
 
@@ -45,21 +45,21 @@ pub struct Observations {
     pub stations_of_face: Vec<StationShares>,
     /// Samples in front of which something was met by too few beams, or too unevenly, to call them seen.
     pub in_front_unseen: u64,
-    bodies: Vec<Body>,
+    bodies: Vec<EvidenceBody>,
     beliefs: Vec<LogCommonality>,
 }
 
 impl Observations {
     /// Reads every sample once.
     pub fn of(e: &Evidence, model: &EvidenceModel, interrupt: Interrupt) -> Result<Self> {
-        let mut gathered = PatchBuilder::new(e, model);
+        let mut gathered = ObservationsBuilder::new(e, model);
         for (b, block) in e.samples.blocks.iter().enumerate() {
             if b % 16 == 0 {
                 poll(interrupt)?;
             }
             gathered.add_block(b, block, interrupt)?;
         }
-        let PatchBuilder { seen, stations_of_face, in_front_unseen, bodies, beliefs, .. } = gathered;
+        let ObservationsBuilder { seen, stations_of_face, in_front_unseen, bodies, beliefs, .. } = gathered;
         let surface_of_face = &e.samples.surface_of_face;
         let seen = ordered(seen, surface_of_face, interrupt)?;
         let (surfaces, faces) = runs(&seen, surface_of_face);
@@ -67,8 +67,8 @@ impl Observations {
     }
 
     /// The body that tells where the surface is, and its deviation; `None` where no beam met one. Metres.
-    pub fn surface_body(&self, s: &SeenSample) -> Option<(&Body, f64)> {
-        Body::on_surface(self.bodies_of(s))
+    pub fn surface_body(&self, s: &SeenSample) -> Option<(&EvidenceBody, f64)> {
+        EvidenceBody::on_surface(self.bodies_of(s))
     }
 
     /// Combined mass at `model`'s tolerance, and belief that a surface stands in front of the face.
@@ -79,7 +79,7 @@ impl Observations {
         }
     }
 
-    fn bodies_of(&self, s: &SeenSample) -> &[Body] {
+    fn bodies_of(&self, s: &SeenSample) -> &[EvidenceBody] {
         match s.bodies {
             0 => &[],
             n => &self.bodies[s.first as usize..s.first as usize + usize::from(n)],
@@ -88,18 +88,18 @@ impl Observations {
 }
 
 /// What was read so far, in the order of the samples.
-struct PatchBuilder<'a> {
+struct ObservationsBuilder<'a> {
     evidence: &'a Evidence,
     model: &'a EvidenceModel,
     reading: SampleReading,
     seen: Vec<SeenSample>,
     stations_of_face: Vec<StationShares>,
     in_front_unseen: u64,
-    bodies: Vec<Body>,
+    bodies: Vec<EvidenceBody>,
     beliefs: Vec<LogCommonality>,
 }
 
-impl<'a> PatchBuilder<'a> {
+impl<'a> ObservationsBuilder<'a> {
     fn new(evidence: &'a Evidence, model: &'a EvidenceModel) -> Self {
         Self {
             evidence,
@@ -113,7 +113,7 @@ impl<'a> PatchBuilder<'a> {
         }
     }
 
-    fn add_block(&mut self, b: usize, block: &Block, interrupt: Interrupt) -> Result<()> {
+    fn add_block(&mut self, b: usize, block: &SampleBlock, interrupt: Interrupt) -> Result<()> {
         let (samples, face) = (&self.evidence.samples, block.face as usize);
         self.stations_of_face[face].samples += u64::from(block.len);
         let stations = self.evidence.stations_of_block(b);
@@ -128,7 +128,8 @@ impl<'a> PatchBuilder<'a> {
                 self.bodies.grow(self.reading.bodies.len(), interrupt)?;
                 self.push(samples.positions[at], block.face);
             } else {
-                self.in_front_unseen += u64::from(Body::on_surface(&self.reading.bodies).is_some_and(|(_, d)| d > 0.0));
+                self.in_front_unseen +=
+                    u64::from(EvidenceBody::on_surface(&self.reading.bodies).is_some_and(|(_, d)| d > 0.0));
             }
         }
         Ok(())

@@ -6,10 +6,10 @@
 //! (Shafer 1976, ch. 6: combination commutes with refinement, not with coarsening). Stations that do not agree are
 //! bodies of evidence that contradict each other, for Dempster's rule.
 
-use super::body::{Body, BodySum, mass_of};
+use super::body::{EvidenceBody, EvidenceBodySum, mass_of};
 use crate::evidence::{LogCommonality, Mass};
 use crate::geometry::Vec3;
-use crate::verify::evidence::Station;
+use crate::verify::evidence::StationEvidence;
 use crate::verify::model::{BeamModel, EvidenceModel, Statement, StationObservation, Sums, with_model};
 
 /// Deviations farther apart than this many of their σ are not of one surface: 99.9 % of those of one are nearer.
@@ -22,7 +22,7 @@ const SAME_SURFACE_M: f64 = 0.002;
 #[derive(Debug, Clone, Default)]
 pub struct SampleReading {
     /// By falling trust; the first is the main one.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<EvidenceBody>,
     /// Beams of all stations.
     pub beams: u32,
     /// Of models that state belief: all stations combined.
@@ -41,7 +41,7 @@ impl SampleReading {
     /// Reads sample `i` of the block that these `stations` saw. Reuses its own memory. The position in world metres.
     pub fn read(
         &mut self,
-        stations: &[(usize, &Station, &[Sums])],
+        stations: &[(usize, &StationEvidence, &[Sums])],
         i: usize,
         position_world: &Vec3,
         normal: &Vec3,
@@ -58,8 +58,8 @@ impl SampleReading {
                 continue;
             }
             self.beams = self.beams.saturating_add(sums.beams());
-            let sight = station.sight(position_world, normal);
-            let statement = with_model!(model.kind, M => M::read(sums, &sight, model));
+            let view = station.viewing_geometry(position_world, normal);
+            let statement = with_model!(model.kind, M => M::read(sums, &view, model));
             if let Some(statement) = statement {
                 not_covered *= self.add_station(*number, statement);
             }
@@ -90,7 +90,7 @@ impl SampleReading {
         self.observations.sort_by(order);
         let station_variance = model.sigma_station * model.sigma_station;
         while let Some(&(_, first)) = self.observations.first() {
-            let mut sum = BodySum::like(&first);
+            let mut sum = EvidenceBodySum::like(&first);
             self.observations.retain(|(station, o)| {
                 let joins = agree(o, &first, station_variance);
                 if joins {

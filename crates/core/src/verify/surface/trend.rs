@@ -6,7 +6,7 @@
 
 use nalgebra::{Matrix3, SMatrix};
 
-use super::basis::{Basis, DeviationSample, Row, TERMS};
+use super::basis::{Basis, DeviationSample, TERMS, TermVector};
 use crate::geometry::Vec3;
 use crate::num::eigen;
 use crate::num::stats::{median, median_and_spread};
@@ -40,7 +40,7 @@ pub struct DeviationTrend {
 #[derive(Debug, Clone)]
 struct Polynomial {
     basis: Basis,
-    coefficients: Row,
+    coefficients: TermVector,
 }
 
 impl DeviationTrend {
@@ -91,7 +91,7 @@ impl Polynomial {
     /// The median everywhere on a plane face; a lateral surface where it is drawn.
     fn level(samples: &[DeviationSample]) -> Self {
         let basis = Basis::of(samples);
-        let mut coefficients = Row::zeros();
+        let mut coefficients = TermVector::zeros();
         if !basis.curved {
             let mut deviations: Vec<f64> = samples.iter().map(|o| o.deviation).collect();
             coefficients[0] = median(&mut deviations).unwrap_or(0.0);
@@ -152,7 +152,7 @@ impl Polynomial {
             poll(interrupt)?;
             let scale = TUKEY * spread.max(MIN_SCALE_M);
             let mut normal_matrix = SMatrix::<f64, TERMS, TERMS>::zeros();
-            let mut right = Row::zeros();
+            let mut right = TermVector::zeros();
             for (i, o) in samples.iter().enumerate() {
                 poll_now_and_then(i, interrupt)?;
                 let r = self.residual(o) / scale;

@@ -4,7 +4,7 @@ use crate::evidence::Mass;
 use crate::geometry::Vec3;
 use crate::verify::evidence::Evidence;
 use crate::verify::model::{EvidenceModel, Question};
-use crate::verify::surface::{Body, SampleReading};
+use crate::verify::surface::{EvidenceBody, SampleReading};
 use crate::{Interrupt, Result, poll};
 
 /// What is believed at one sample.
@@ -54,7 +54,7 @@ impl SampleBelief {
         Self {
             mass,
             in_front,
-            deviation: Body::on_surface(&reading.bodies).map(|(body, deviation)| (deviation, body.sd())),
+            deviation: EvidenceBody::on_surface(&reading.bodies).map(|(body, deviation)| (deviation, body.sd())),
             beams: reading.beams,
             seen: reading.seen,
             conflict: reading.conflict(model),

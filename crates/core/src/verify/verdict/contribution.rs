@@ -1,6 +1,6 @@
 //! What each station contributed to the evidence.
 
-use crate::verify::evidence::{Evidence, Place, Station};
+use crate::verify::evidence::{Evidence, StationEvidence, StationOrigin};
 use crate::verify::surface::SampleReading;
 use crate::{Interrupt, Result, poll};
 
@@ -10,7 +10,7 @@ pub struct Contribution {
     /// The station's number.
     pub station: i64,
     /// Where its beams start.
-    pub place: Place,
+    pub place: StationOrigin,
     /// Samples that it sees by itself.
     pub seen: u64,
     /// Samples that are seen with it and not without.
@@ -20,7 +20,7 @@ pub struct Contribution {
 impl Evidence {
     /// For each station what it saw, and what nobody would have seen without it.
     pub fn contributions(&self, interrupt: Interrupt) -> Result<Vec<Contribution>> {
-        let none = |s: &Station| Contribution { station: s.id, place: s.place, seen: 0, added: 0 };
+        let none = |s: &StationEvidence| Contribution { station: s.id, place: s.place, seen: 0, added: 0 };
         let mut out: Vec<Contribution> = self.stations.iter().map(none).collect();
         let mut reading = SampleReading::default();
         for (b, block) in self.samples.blocks.iter().enumerate() {

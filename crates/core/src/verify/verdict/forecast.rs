@@ -1,7 +1,7 @@
 //! Evidence to be expected: what stations would say of an object that is built as drawn.
 
 use crate::geometry::{Solid, Vec3};
-use crate::verify::evidence::{Evidence, Place};
+use crate::verify::evidence::{Evidence, StationOrigin};
 use crate::verify::model::{EvidenceModel, Sums, SurfaceSums};
 use crate::{Interrupt, Result, poll};
 
@@ -39,7 +39,7 @@ impl Evidence {
     ) -> Result<Self> {
         let mut out = Self::about(solid, model, true, interrupt)?;
         for (id, planned) in stations.iter().enumerate() {
-            let at = out.station_index(id as i64 + 1, Place::At(planned.origin));
+            let at = out.station_index(id as i64 + 1, StationOrigin::At(planned.origin));
             let Self { samples, stations, .. } = &mut out;
             stations[at].step = planned.step as f32;
             for (b, block) in samples.blocks.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use super::reason::Reason;
 use super::rule::{Verdict, VerdictRule};
-use super::tally::Tally;
+use super::tally::VerdictTally;
 use super::thresholds::{MIN_CONFIRMED_OF_SEEN, MIN_DECIDED};
 use crate::verify::evidence::Evidence;
 use crate::verify::model::{EvidenceModel, Question, measures_deviations};
@@ -12,13 +12,13 @@ use crate::{Interrupt, Result};
 /// A verdict with all that it was made from.
 pub struct Judgement {
     pub reason: Reason,
-    pub tally: Tally,
+    pub tally: VerdictTally,
 }
 
 impl Judgement {
     /// Judges at the tolerance and confidence of `model`.
     pub fn of(fitted: &FittedObject, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Self> {
-        let tally = Tally::of(fitted, model, rule, interrupt)?;
+        let tally = VerdictTally::of(fitted, model, rule, interrupt)?;
         Ok(Self { reason: decide(&tally, measures_deviations(model), rule), tally })
     }
 
@@ -34,7 +34,7 @@ impl Judgement {
 }
 
 /// The first reason that holds.
-fn decide(tally: &Tally, measures_deviations: bool, rule: &VerdictRule) -> Reason {
+fn decide(tally: &VerdictTally, measures_deviations: bool, rule: &VerdictRule) -> Reason {
     let totals = &tally.totals;
     let (seen, decided) = (totals.seen as f64, totals.decided() as f64);
     if !totals.cover(rule) {
@@ -80,11 +80,11 @@ mod tests {
     use crate::verify::Counts;
 
     /// An object of 1000 samples in two surfaces, half of them seen, all of these in place.
-    fn in_place() -> Tally {
+    fn in_place() -> VerdictTally {
         let half = Counts { samples: 500, seen: 250, confirmed: 250, on_surface: 250, ..Counts::default() };
         let mut totals = half;
         totals.add(&half);
-        Tally {
+        VerdictTally {
             faces: Vec::new(),
             totals,
             surfaces: vec![half; 2],
@@ -96,29 +96,30 @@ mod tests {
     }
 
     /// What is seen, refuted as seen through, is on the surface, and is confirmed.
-    fn counted(seen: u64, pierced: u64, on_surface: u64, confirmed: u64) -> Tally {
+    fn counted(seen: u64, pierced: u64, on_surface: u64, confirmed: u64) -> VerdictTally {
         let tally = in_place();
         let totals = Counts { seen, refuted: pierced, pierced, on_surface, confirmed, ..tally.totals };
-        Tally { totals, surfaces: Vec::new(), ..tally }
+        VerdictTally { totals, surfaces: Vec::new(), ..tally }
     }
 
     #[test]
     fn a_case_for_each_reason() {
         let rule = VerdictRule::default();
-        let slim = |in_front_unexplained| Tally { is_slim: true, in_front_unexplained, ..counted(500, 450, 10, 0) };
+        let slim =
+            |in_front_unexplained| VerdictTally { is_slim: true, in_front_unexplained, ..counted(500, 450, 10, 0) };
         let contradicting = |conflict| {
             let tally = in_place();
-            Tally { totals: Counts { conflict, ..tally.totals }, ..tally }
+            VerdictTally { totals: Counts { conflict, ..tally.totals }, ..tally }
         };
         let half_through = || {
             let tally = in_place();
             let through = Counts { samples: 500, seen: 250, refuted: 200, pierced: 200, ..Counts::default() };
-            Tally { surfaces: vec![tally.surfaces[0], through], ..tally }
+            VerdictTally { surfaces: vec![tally.surfaces[0], through], ..tally }
         };
-        let unsure = |known_to_hold| Tally { known_to_hold, ..counted(500, 0, 500, 200) };
+        let unsure = |known_to_hold| VerdictTally { known_to_hold, ..counted(500, 0, 500, 200) };
         let far_off = {
             let tally = counted(500, 180, 300, 0);
-            Tally { totals: Counts { out_of_tolerance: 280, ..tally.totals }, ..tally }
+            VerdictTally { totals: Counts { out_of_tolerance: 280, ..tally.totals }, ..tally }
         };
         let cases = [
             (counted(4, 0, 4, 4), Reason::TooLittleSeen, Verdict::Unobserved),
@@ -131,7 +132,7 @@ mod tests {
             (counted(500, 450, 10, 0), Reason::Empty, Verdict::Absent),
             (slim(89), Reason::Empty, Verdict::Absent),
             (slim(90), Reason::Beside, Verdict::Deviating),
-            (Tally { displaced: vec![false, true], ..in_place() }, Reason::Displaced(1), Verdict::Deviating),
+            (VerdictTally { displaced: vec![false, true], ..in_place() }, Reason::Displaced(1), Verdict::Deviating),
             (half_through(), Reason::SeenThrough(1), Verdict::Deviating),
             (far_off, Reason::OutOfPlace, Verdict::Deviating),
             (unsure(false), Reason::TooUnsure, Verdict::Unobserved),
@@ -147,8 +148,8 @@ mod tests {
     #[test]
     fn without_deviations_neither_conflict_nor_roughness_decide() {
         let rule = VerdictRule::default();
-        let open = Tally { known_to_hold: false, ..counted(500, 0, 0, 200) };
-        let conflicting = Tally { totals: Counts { conflict: 400.0, ..open.totals }, ..open };
+        let open = VerdictTally { known_to_hold: false, ..counted(500, 0, 0, 200) };
+        let conflicting = VerdictTally { totals: Counts { conflict: 400.0, ..open.totals }, ..open };
         assert_eq!(decide(&conflicting, false, &rule), Reason::InPlace);
         assert_eq!(decide(&conflicting, true, &rule), Reason::Contradiction);
     }

@@ -12,7 +12,7 @@ use crate::verify::surface::{FittedObject, FittedSurface};
 use crate::{Interrupt, Result};
 
 /// The counts of an object, and what is known of its surfaces beside them.
-pub struct Tally {
+pub struct VerdictTally {
     pub faces: Vec<FaceReport>,
     pub totals: Counts,
     /// For each smooth surface.
@@ -27,7 +27,7 @@ pub struct Tally {
     pub in_front_unexplained: u64,
 }
 
-impl Tally {
+impl VerdictTally {
     /// Counts at the tolerance and confidence of `model`.
     pub fn of(fitted: &FittedObject, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Self> {
         let faces = FaceReport::all(fitted, model, interrupt)?;

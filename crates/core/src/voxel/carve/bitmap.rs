@@ -3,7 +3,7 @@
 use super::fan::Fan;
 use super::line::{SlabAxes, SlabLine};
 use super::local_origin::LocalOrigin;
-use super::tile::Tile;
+use super::tile::CarvedTile;
 use super::turn::{crossed, oriented, set_bits, transposed};
 use crate::num::whole::{ceil, floor};
 use crate::voxel::lattice::block_map::block_of;
@@ -95,7 +95,7 @@ impl BitMap {
     /// against it.
     pub fn merge(
         &self,
-        tile: &mut Tile,
+        tile: &mut CarvedTile,
         axes: &SlabAxes,
         slab: i64,
         origin: &LocalOrigin,

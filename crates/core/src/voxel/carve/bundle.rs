@@ -6,7 +6,7 @@ use super::fan::Fan;
 use super::line::{SlabAxes, SlabLine};
 use super::local_origin::LocalOrigin;
 use super::ray::Ray;
-use super::tile::Tile;
+use super::tile::CarvedTile;
 use crate::geometry::Vec3;
 use crate::num::whole::floor;
 use crate::voxel::lattice::VoxelBox;
@@ -40,7 +40,7 @@ impl Bundle {
     }
 
     /// Carves it, slab by slab.
-    pub fn carve(&self, tile: &mut Tile, interrupt: Interrupt) -> Result<()> {
+    pub fn carve(&self, tile: &mut CarvedTile, interrupt: Interrupt) -> Result<()> {
         let Some(ends) = self.ends() else { return Ok(()) };
         let mut map = BitMap::default();
         for number in floor(ends[0]).div_euclid(DEPTH)..=floor(ends[1]).div_euclid(DEPTH) {
@@ -102,7 +102,7 @@ impl Bundle {
     }
 
     /// The part of a line inside a slab, voxel by voxel.
-    fn carve_part(&self, tile: &mut Tile, line: &SlabLine, slab: [i64; 2], interrupt: Interrupt) -> Result<()> {
+    fn carve_part(&self, tile: &mut CarvedTile, line: &SlabLine, slab: [i64; 2], interrupt: Interrupt) -> Result<()> {
         match line.within(slab) {
             None => poll(interrupt),
             Some([from, to]) => {

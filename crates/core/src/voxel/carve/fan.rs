@@ -41,12 +41,12 @@ pub struct Fan {
     clear: Vec<f64>,
     /// From where along the axis the rays of a cell are drawn: where one of the cells around it is no longer filled.
     drawn: Vec<f64>,
-    rows: Vec<Row>,
+    rows: Vec<CellRow>,
 }
 
 /// A row of cells along the first slope.
 #[derive(Debug, Clone, Copy)]
-struct Row {
+struct CellRow {
     /// The cells with rays, when they follow each other without a gap.
     whole: [usize; 2],
     /// How far all of them reach; nothing where there is a gap.
@@ -139,7 +139,7 @@ impl Fan {
         let filled: Vec<f64> =
             self.clear.iter().map(|&c| if c == f64::NEG_INFINITY { f64::INFINITY } else { c }).collect();
         self.drawn = self.least_around(&filled).into_iter().map(f64::floor).collect();
-        self.rows = self.clear.chunks(self.axes[0].len()).map(Row::of).collect();
+        self.rows = self.clear.chunks(self.axes[0].len()).map(CellRow::of).collect();
     }
 
     /// The least of every cell and the eight around it, of those that have one; -∞ for a cell that has none itself (∞).
@@ -210,7 +210,7 @@ impl Fan {
     }
 }
 
-impl Row {
+impl CellRow {
     fn of(clear: &[f64]) -> Self {
         let there = |c: &f64| *c > f64::NEG_INFINITY;
         let first = clear.iter().position(there).unwrap_or(0);

@@ -27,5 +27,5 @@ mod traverse;
 mod turn;
 
 pub use patch::{absorb, concerns};
-pub use tile::Tile;
+pub use tile::CarvedTile;
 pub use traverse::traverse;

@@ -4,9 +4,9 @@ use super::bundle::Bundle;
 use super::line::SlabAxes;
 use super::local_origin::LocalOrigin;
 use super::ray::Ray;
-use super::tile::Tile;
+use super::tile::CarvedTile;
 use crate::geometry::Vec3;
-use crate::scan::{Beam, Beams, Header, Origins, Patch};
+use crate::scan::{Beam, Beams, Origins, Patch, PatchHeader};
 use crate::voxel::lattice::bits::slot_of;
 use crate::voxel::lattice::block_map::block_of;
 use crate::voxel::lattice::{Grid, VoxelBox};
@@ -18,14 +18,14 @@ const MIN_COS: f64 = 0.5;
 const BEFORE: f64 = 1e-9;
 
 /// Whether a patch can say anything of a grid's tile, by its header alone.
-pub fn concerns(grid: &Grid, header: &Header) -> bool {
+pub fn concerns(grid: &Grid, header: &PatchHeader) -> bool {
     header.hull.overlaps(&grid.tile.expanded(grid.voxel))
 }
 
 /// Adds what a packed patch says: returns are counted, and what the beams pass on their way is empty.
-pub fn absorb(tile: &mut Tile, patch: &[u8], interrupt: Interrupt) -> Result<()> {
+pub fn absorb(tile: &mut CarvedTile, patch: &[u8], interrupt: Interrupt) -> Result<()> {
     let grid = tile.grid;
-    if !concerns(grid, &Header::read(patch)?) {
+    if !concerns(grid, &PatchHeader::read(patch)?) {
         return Ok(());
     }
     let (header, content) = Patch::beams_of(patch)?;
@@ -44,8 +44,8 @@ pub fn absorb(tile: &mut Tile, patch: &[u8], interrupt: Interrupt) -> Result<()>
 
 /// Counts the returns; the ways that say "empty".
 fn count_returns(
-    tile: &mut Tile,
-    header: &Header,
+    tile: &mut CarvedTile,
+    header: &PatchHeader,
     content: &Beams,
     origin: &LocalOrigin,
     interrupt: Interrupt,
@@ -98,7 +98,7 @@ fn empty_way(grid: &Grid, beam: &Beam, start: &Vec3, last: Option<[i64; 3]>) -> 
 /// Rays that lean towards one axis together, the others one by one. `span`: the voxels of the tile that lie in the hull
 /// of the beams; `raster`: where all start, and their step.
 fn carve_rays(
-    tile: &mut Tile,
+    tile: &mut CarvedTile,
     mut rays: Vec<Ray>,
     origin: LocalOrigin,
     span: &VoxelBox,

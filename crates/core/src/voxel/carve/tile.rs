@@ -5,25 +5,25 @@ use super::ray::Ray;
 use super::traverse::traverse;
 use crate::voxel::lattice::bits::{Bits, common, slot_of};
 use crate::voxel::lattice::block_map::{block_of, made};
-use crate::voxel::lattice::{Block, BlockMap, EDGE, Grid, VoxelBox};
+use crate::voxel::lattice::{BlockMap, EDGE, Grid, VoxelBlock, VoxelBox};
 use crate::{Grow, Interrupt, Result, poll};
 
 /// Voxels of a lone ray between two looks at interrupt and memory.
 const PIECE: f64 = 1024.0;
 
 /// What beams saw of a tile so far.
-pub struct Tile<'a> {
+pub struct CarvedTile<'a> {
     /// The lattice, and the rules of carving.
     pub grid: &'a Grid,
     /// The voxels of the tile.
     pub span: VoxelBox,
     /// Returns and traversals.
-    pub blocks: &'a mut BlockMap<Block>,
+    pub blocks: &'a mut BlockMap<VoxelBlock>,
 }
 
-impl Tile<'_> {
+impl CarvedTile<'_> {
     /// The block numbered `key`, made where it is missing.
-    pub fn block(&mut self, key: [i32; 3], interrupt: Interrupt) -> Result<&mut Block> {
+    pub fn block(&mut self, key: [i32; 3], interrupt: Interrupt) -> Result<&mut VoxelBlock> {
         made(self.blocks, key, interrupt)
     }
 

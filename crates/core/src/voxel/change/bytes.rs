@@ -1,11 +1,11 @@
 //! The stored form of change.
 
 use super::classes::Classes;
-use super::settings::Settings;
+use super::settings::ChangeSettings;
 use super::value::Change;
 use crate::Interrupt;
 use crate::error::Result;
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::voxel::lattice::block_bytes::{ABOVE_THE_LAST, read_bits, read_blocks, write_bits, write_blocks, write_key};
 use crate::voxel::lattice::block_map::{in_order, insert};
 use crate::voxel::lattice::{TileFormat, TileHeader};
@@ -41,7 +41,7 @@ impl Change {
     /// Reads bytes, foreign ones too.
     pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
         let (mut r, header) = FORMAT.read(bytes, interrupt)?;
-        let settings = Settings { threshold: header.notes[1], tolerance: r.f64()? };
+        let settings = ChangeSettings { threshold: header.notes[1], tolerance: r.f64()? };
         if header.notes[0] > 1 || settings.threshold == 0 || !(0.0..=1e4).contains(&settings.tolerance) {
             return Err(r.bad(format!("notes {:?}, tolerance {}", header.notes, settings.tolerance)));
         }
@@ -61,7 +61,7 @@ fn write_classes(key: [i32; 3], last: [i32; 3], classes: &Classes, out: &mut Vec
     classes.0[..planes].iter().for_each(|bits| write_bits(bits, out));
 }
 
-fn read_classes(r: &mut Reader, flags: u8) -> Result<Classes> {
+fn read_classes(r: &mut ByteReader, flags: u8) -> Result<Classes> {
     if flags & !(ABOVE_THE_LAST | TWO_PLANES) != 0 {
         return Err(r.bad(format!("flags {flags:#04x} of a block")));
     }
@@ -85,7 +85,7 @@ mod tests {
         let voxel = (prop::array::uniform3(-3i32..3), 0usize..512, 0usize..5);
         (prop::collection::vec(voxel, 0..300), 1u8.., any::<bool>()).prop_map(|(voxels, threshold, against_model)| {
             let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.01, 5.0).unwrap();
-            let settings = Settings { threshold, tolerance: 0.01 };
+            let settings = ChangeSettings { threshold, tolerance: 0.01 };
             let mut c = Change { grid, settings, against_model, blocks: Default::default() };
             for (key, slot, class) in voxels {
                 let classes = c.blocks.entry(key).or_default();
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn memory_is_bounded() {
         let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.01, 5.0).unwrap();
-        let settings = Settings { threshold: 3, tolerance: 0.0 };
+        let settings = ChangeSettings { threshold: 3, tolerance: 0.0 };
         let mut c = Change { grid, settings, against_model: false, blocks: Default::default() };
         (0..5000).for_each(|i| {
             c.blocks.entry([0, 0, i]).or_default().set(3, ChangeClass::New);

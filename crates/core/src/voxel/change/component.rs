@@ -11,7 +11,7 @@ use crate::{Grow, Interrupt, poll_now_and_then};
 
 /// Voxels of one class that hang together.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Component {
+pub struct ChangeComponent {
     /// Their class.
     pub class: ChangeClass,
     /// How many they are.
@@ -25,7 +25,13 @@ pub struct Component {
 impl Change {
     /// The connected parts of a class with at least `least` voxels, largest first. Two voxels hang together when the
     /// gap between them is less than `gap` metres; 0 for those that touch, were it at a corner.
-    pub fn components(&self, class: ChangeClass, least: u64, gap: f64, interrupt: Interrupt) -> Result<Vec<Component>> {
+    pub fn components(
+        &self,
+        class: ChangeClass,
+        least: u64,
+        gap: f64,
+        interrupt: Interrupt,
+    ) -> Result<Vec<ChangeComponent>> {
         if !(0.0..=8.0 * self.grid.voxel).contains(&gap) {
             return Err(Error::argument("the gap", "from 0 to 8 voxels", format!("{gap} m")));
         }
@@ -57,7 +63,7 @@ impl Change {
         left: &mut BlockMap<Bits>,
         steps: &[[i64; 3]],
         interrupt: Interrupt,
-    ) -> Result<Component> {
+    ) -> Result<ChangeComponent> {
         let mut open = vec![seed];
         let (mut low, mut high, mut sum, mut n) = (seed, seed, Vec3::zeros(), 0u64);
         while let Some(voxel) = open.pop() {
@@ -78,7 +84,7 @@ impl Change {
         }
         let bounds =
             Aabb { min: low.map(|i| i as f64 * self.grid.voxel), max: high.map(|i| (i + 1) as f64 * self.grid.voxel) };
-        Ok(Component { class, voxels: n, bounds, centroid: self.grid.centre(seed) + sum / n as f64 })
+        Ok(ChangeComponent { class, voxels: n, bounds, centroid: self.grid.centre(seed) + sum / n as f64 })
     }
 }
 

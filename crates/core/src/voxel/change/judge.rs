@@ -2,7 +2,7 @@
 
 use super::class::ChangeClass;
 use super::classes::Classes;
-use super::settings::Settings;
+use super::settings::ChangeSettings;
 use crate::voxel::lattice::bits::slots;
 use crate::voxel::lattice::{Bits, VoxelBox};
 use crate::voxel::occupancy::{KnownAround, Occupancy};
@@ -12,7 +12,7 @@ pub struct Judge<'a> {
     /// Old and new.
     pub sides: [&'a Occupancy; 2],
     /// How they are compared.
-    pub settings: Settings,
+    pub settings: ChangeSettings,
     /// The steps to the voxels within the tolerance.
     pub steps: Vec<[i64; 3]>,
     /// The voxels that both tiles have.

@@ -7,7 +7,7 @@
 //! * [`value`]: the change of a tile as a value ([`Change`]);
 //! * [`bytes`]: its stored form;
 //! * [`tally`]: voxels of each class, counted ([`ChangeTally`]);
-//! * [`component`]: what is new or gone, as connected things ([`Component`]).
+//! * [`component`]: what is new or gone, as connected things ([`ChangeComponent`]).
 
 mod bytes;
 mod class;
@@ -19,7 +19,7 @@ mod tally;
 mod value;
 
 pub use class::ChangeClass;
-pub use component::Component;
-pub use settings::Settings;
+pub use component::ChangeComponent;
+pub use settings::ChangeSettings;
 pub use tally::ChangeTally;
 pub use value::Change;

@@ -5,7 +5,7 @@ use crate::voxel::lattice::steps_within;
 
 /// How two epochs are compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings {
+pub struct ChangeSettings {
     /// Returns from which a voxel is occupied, 1 to 255.
     pub threshold: u8,
     /// A voxel counts as changed only if the other epoch has nothing occupied within this gap, metres; 0 compares voxel
@@ -13,7 +13,7 @@ pub struct Settings {
     pub tolerance: f64,
 }
 
-impl Settings {
+impl ChangeSettings {
     /// Checks a threshold from SQL.
     pub fn threshold(n: i32) -> Result<u8> {
         let checked = u8::try_from(n).ok().filter(|&n| n > 0);

@@ -3,7 +3,7 @@
 use super::class::ChangeClass;
 use super::classes::Classes;
 use super::judge::Judge;
-use super::settings::Settings;
+use super::settings::ChangeSettings;
 use crate::error::{Error, LatticeMismatch, Result};
 use crate::geometry::Aabb;
 use crate::voxel::lattice::bits::{common, slot_of, slots};
@@ -16,7 +16,7 @@ use crate::{Interrupt, poll_now_and_then};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Change {
     pub(super) grid: Grid,
-    pub(super) settings: Settings,
+    pub(super) settings: ChangeSettings,
     /// Whether the older side is a drawn model.
     pub(super) against_model: bool,
     pub(super) blocks: BlockMap<Classes>,
@@ -24,7 +24,7 @@ pub struct Change {
 
 impl Change {
     /// Compares the voxels that both tiles have. The older side may be a drawn model, the newer one too.
-    pub fn between(old: &Occupancy, new: &Occupancy, settings: Settings, interrupt: Interrupt) -> Result<Self> {
+    pub fn between(old: &Occupancy, new: &Occupancy, settings: ChangeSettings, interrupt: Interrupt) -> Result<Self> {
         let (old_tile, new_tile) = (&old.grid().tile, &new.grid().tile);
         old.grid().same_lattice(new.grid())?;
         let span = old.span().common(new.span());
@@ -55,7 +55,7 @@ impl Change {
     }
 
     /// How it was compared.
-    pub fn settings(&self) -> Settings {
+    pub fn settings(&self) -> ChangeSettings {
         self.settings
     }
 

@@ -1,18 +1,18 @@
 //! What beams say of eight by eight by eight voxels.
 
 use super::bits::{Bits, holds, put};
-use super::state::State;
+use super::state::VoxelState;
 
 /// Returns and traversals of the voxels of a block, by their slots.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Block {
+pub struct VoxelBlock {
     /// Voxels that a beam passed through.
     pub traversed: Bits,
     /// Returns in each voxel, as many as 255; `None` where there is none.
     pub hits: Option<Box<[u8; 512]>>,
 }
 
-impl Block {
+impl VoxelBlock {
     /// Adds returns.
     pub fn hit(&mut self, slot: usize, returns: u8) {
         let count = &mut self.hits.get_or_insert_with(|| Box::new([0; 512]))[slot];
@@ -50,8 +50,8 @@ impl Block {
     }
 
     /// State of a voxel: occupied from `threshold` returns on.
-    pub fn state(&self, slot: usize, threshold: u8) -> State {
-        State::of(self.count(slot) >= threshold.max(1), self.is_traversed(slot))
+    pub fn state(&self, slot: usize, threshold: u8) -> VoxelState {
+        VoxelState::of(self.count(slot) >= threshold.max(1), self.is_traversed(slot))
     }
 
     /// Adds what another knows of the same place.
@@ -70,13 +70,13 @@ mod tests {
 
     #[test]
     fn states_follow_the_threshold() {
-        let (mut b, slot) = (Block::default(), 207);
-        assert_eq!(b.state(slot, 1), State::Unknown);
+        let (mut b, slot) = (VoxelBlock::default(), 207);
+        assert_eq!(b.state(slot, 1), VoxelState::Unknown);
         b.hit(slot, 1);
         b.hit(slot, 1);
-        assert_eq!((b.state(slot, 2), b.state(slot, 3)), (State::Occupied, State::Unknown));
+        assert_eq!((b.state(slot, 2), b.state(slot, 3)), (VoxelState::Occupied, VoxelState::Unknown));
         b.traverse(slot);
-        assert_eq!((b.state(slot, 2), b.state(slot, 3)), (State::Ambiguous, State::Empty));
+        assert_eq!((b.state(slot, 2), b.state(slot, 3)), (VoxelState::Ambiguous, VoxelState::Empty));
         (0..300).for_each(|_| b.hit(slot, 1));
         assert_eq!(b.count(slot), 255);
         let mut sum = b.clone();

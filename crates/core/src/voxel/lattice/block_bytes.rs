@@ -3,7 +3,7 @@
 use super::bits::Bits;
 use super::tile_format::TileHeader;
 use crate::error::Result;
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::{Grow, Interrupt, poll_now_and_then};
 
 /// Most bytes that [`write_key`] and a block of either type write.
@@ -23,7 +23,7 @@ pub fn write_key(key: [i32; 3], last: [i32; 3], flags: u8, out: &mut Vec<u8>) {
 }
 
 /// The flags and the number of the next block; `last` is `None` for the first.
-fn read_key(r: &mut Reader, last: Option<[i32; 3]>, header: &TileHeader) -> Result<(u8, [i32; 3])> {
+fn read_key(r: &mut ByteReader, last: Option<[i32; 3]>, header: &TileHeader) -> Result<(u8, [i32; 3])> {
     let flags = r.u8()?;
     let mut key = last.unwrap_or_default().map(i64::from);
     if flags & ABOVE_THE_LAST != 0 {
@@ -65,10 +65,10 @@ pub fn write_blocks<T>(
 
 /// Calls `read` with the flags and number of every block, to read the rest of it; fails where bytes are left.
 pub fn read_blocks(
-    mut r: Reader,
+    mut r: ByteReader,
     header: &TileHeader,
     interrupt: Interrupt,
-    mut read: impl FnMut(&mut Reader, u8, [i32; 3]) -> Result<()>,
+    mut read: impl FnMut(&mut ByteReader, u8, [i32; 3]) -> Result<()>,
 ) -> Result<()> {
     let mut last = None;
     for round in 0..header.blocks {
@@ -98,7 +98,7 @@ pub fn write_bits(bits: &Bits, out: &mut Vec<u8>) {
 }
 
 /// Reads what [`write_bits`] wrote.
-pub fn read_bits(r: &mut Reader) -> Result<Bits> {
+pub fn read_bits(r: &mut ByteReader) -> Result<Bits> {
     let kinds = u16::from_le_bytes([r.u8()?, r.u8()?]);
     let mut bits = [0; 8];
     for (i, word) in bits.iter_mut().enumerate() {

@@ -3,7 +3,7 @@
 use super::voxel_box::VoxelBox;
 use crate::error::{Error, LatticeMismatch, Limited, Result};
 use crate::geometry::{Aabb, Vec3};
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::num::text::number;
 use crate::num::whole::floor;
 use crate::scan::NO_RETURN_REACH_M;
@@ -100,7 +100,7 @@ impl Grid {
     }
 
     /// Reads what [`Grid::write`] wrote.
-    pub fn read(r: &mut Reader) -> Result<Self> {
+    pub fn read(r: &mut ByteReader) -> Result<Self> {
         let voxel = r.f64()?;
         let tile = Aabb { min: r.vec3()?.into(), max: r.vec3()?.into() };
         let is_bounded = tile.min.iter().chain(&tile.max).all(|c| c.is_finite());
@@ -199,7 +199,7 @@ mod tests {
             assert_eq!(Grid::from_text(&grid.to_text()).unwrap(), grid);
             let mut bytes = Vec::new();
             grid.write(&mut bytes);
-            assert_eq!((bytes.len(), Grid::read(&mut Reader::new(&bytes, "test"))), (Grid::LEN, Ok(grid)));
+            assert_eq!((bytes.len(), Grid::read(&mut ByteReader::new(&bytes, "test"))), (Grid::LEN, Ok(grid)));
         }
         for bad in ["", "voxel", "voxel=x", "margin=1", "voxel=0.01 colour=red", "voxel=0.01 tile=none", "voxel=-1"] {
             assert!(Grid::from_text(bad).is_err(), "{bad}");

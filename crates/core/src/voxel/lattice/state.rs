@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 
 /// What is known of a voxel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum State {
+pub enum VoxelState {
     /// At least as many returns as the threshold.
     Occupied,
     /// The same, but beams passed through as well: grazed surfaces, voxels that a surface shares with space before it.
@@ -15,7 +15,7 @@ pub enum State {
     Unknown,
 }
 
-impl State {
+impl VoxelState {
     /// By whether a voxel holds enough returns, and whether a beam passed through.
     pub(crate) fn of(occupied: bool, traversed: bool) -> Self {
         match (occupied, traversed) {
@@ -36,7 +36,7 @@ impl State {
         }
     }
 
-    /// Reads [`State::name`].
+    /// Reads [`VoxelState::name`].
     pub fn parse(text: &str) -> Result<Self> {
         [Self::Occupied, Self::Ambiguous, Self::Empty, Self::Unknown]
             .into_iter()

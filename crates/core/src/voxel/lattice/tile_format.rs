@@ -3,7 +3,7 @@
 use super::grid::Grid;
 use crate::error::{Error, Result};
 use crate::geometry::Aabb;
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::num::sections::{self, BODY, HEADER, begin, checksum, header_end, put_section};
 use crate::{Interrupt, NEVER};
 
@@ -90,7 +90,7 @@ impl TileFormat {
 
     /// The header alone.
     pub fn header(&self, bytes: &[u8]) -> Result<TileHeader> {
-        let mut r = Reader::new(bytes, self.ty);
+        let mut r = ByteReader::new(bytes, self.ty);
         let version = r.u8()?;
         if r.u8()? != self.letter {
             return Err(r.bad("it does not start as its type does"));
@@ -114,7 +114,7 @@ impl TileFormat {
     }
 
     /// The header, and the body, whose checksum is checked.
-    pub fn read<'a>(&self, bytes: &'a [u8], interrupt: Interrupt) -> Result<(Reader<'a>, TileHeader)> {
+    pub fn read<'a>(&self, bytes: &'a [u8], interrupt: Interrupt) -> Result<(ByteReader<'a>, TileHeader)> {
         let header = self.header(bytes)?;
         let body = match header.version {
             // Over everything but itself.
@@ -124,6 +124,6 @@ impl TileFormat {
             1 => &bytes[8 + TileHeader::CONTENT..],
             _ => sections::read(bytes, self.ty, [HEADER, BODY], interrupt)?[1],
         };
-        Ok((Reader::new(body, self.ty), header))
+        Ok((ByteReader::new(body, self.ty), header))
     }
 }

@@ -19,7 +19,7 @@ pub fn for_each_on_surface(
     interrupt: Interrupt,
     mut visit: impl FnMut([i64; 3]) -> Result<()>,
 ) -> Result<()> {
-    let triangle = Triangle::new(corners);
+    let triangle = DominantAxisTriangle::new(corners);
     let [axis, u, v] = triangle.axes;
     let [low, high] = triangle.bounds();
     let numbers = |k: usize, [low, high]: [f64; 2]| {
@@ -48,7 +48,7 @@ pub fn for_each_on_surface(
 }
 
 /// A triangle and the order in which its voxels are gone through.
-struct Triangle<'a> {
+struct DominantAxisTriangle<'a> {
     corners: &'a [Vec3; 3],
     edges: [Vec3; 3],
     normal: Vec3,
@@ -59,7 +59,7 @@ struct Triangle<'a> {
     axes: [usize; 3],
 }
 
-impl<'a> Triangle<'a> {
+impl<'a> DominantAxisTriangle<'a> {
     fn new(corners: &'a [Vec3; 3]) -> Self {
         let edges = [corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]];
         let normal = edges[0].cross(&edges[1]);
@@ -161,7 +161,7 @@ mod tests {
 
     /// Every voxel of the span by the separating axes.
     fn by_brute_force(corners: &[Vec3; 3], span: &VoxelBox) -> BTreeSet<[i64; 3]> {
-        let triangle = Triangle::new(corners);
+        let triangle = DominantAxisTriangle::new(corners);
         let along = |k: usize| span.0[k][0]..span.0[k][1];
         let all = along(0).flat_map(|x| along(1).flat_map(move |y| along(2).map(move |z| [x, y, z])));
         all.filter(|&voxel| triangle.passes(voxel)).collect()

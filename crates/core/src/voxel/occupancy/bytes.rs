@@ -1,14 +1,14 @@
 //! The stored form of occupancy.
 
-use super::known::{DRAWN, Known, KnownBlock};
+use super::known::{DRAWN, KnownBlock, KnownTile};
 use super::value::Occupancy;
 use crate::Interrupt;
 use crate::error::Result;
-use crate::num::bytes::{Put, Reader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::voxel::lattice::bits::{Bits, slots};
 use crate::voxel::lattice::block_bytes::{ABOVE_THE_LAST, read_bits, read_blocks, write_bits, write_blocks, write_key};
 use crate::voxel::lattice::block_map::insert;
-use crate::voxel::lattice::{Block, TileFormat, TileHeader};
+use crate::voxel::lattice::{TileFormat, TileHeader, VoxelBlock};
 
 const FORMAT: TileFormat = TileFormat::OCCUPANCY;
 
@@ -56,15 +56,15 @@ impl Occupancy {
         read_blocks(r, &header, interrupt, |r, flags, key| {
             let block = read_block(r, flags)?;
             match &mut out.known {
-                Known::Seen(blocks) => insert(blocks, key, block, interrupt),
-                Known::Drawn(set) => set.insert_block(key, filled(r, &block)?, interrupt),
+                KnownTile::Seen(blocks) => insert(blocks, key, block, interrupt),
+                KnownTile::Drawn(set) => set.insert_block(key, filled(r, &block)?, interrupt),
             }
         })?;
         Ok(out)
     }
 }
 
-fn write_seen(key: [i32; 3], last: [i32; 3], block: &Block, out: &mut Vec<u8>) {
+fn write_seen(key: [i32; 3], last: [i32; 3], block: &VoxelBlock, out: &mut Vec<u8>) {
     let all = block.traversed == [u64::MAX; 8];
     let hits = block.hits.as_deref().filter(|h| h.iter().any(|&n| n > 0));
     let flag = |set: bool, flag: u8| if set { flag } else { 0 };
@@ -100,7 +100,7 @@ fn write_drawn(key: [i32; 3], last: [i32; 3], filled: &Bits, out: &mut Vec<u8>) 
 }
 
 /// The voxels of a stored block of a model.
-fn filled(r: &Reader, block: &Block) -> Result<Bits> {
+fn filled(r: &ByteReader, block: &VoxelBlock) -> Result<Bits> {
     let mut counts = block.hits.iter().flat_map(|hits| hits.iter());
     if block.traversed != [0; 8] || counts.any(|n| ![0, DRAWN].contains(n)) {
         return Err(r.bad("a drawn model with returns or beams that passed"));
@@ -108,12 +108,12 @@ fn filled(r: &Reader, block: &Block) -> Result<Bits> {
     Ok(block.occupied(1))
 }
 
-fn read_block(r: &mut Reader, flags: u8) -> Result<Block> {
+fn read_block(r: &mut ByteReader, flags: u8) -> Result<VoxelBlock> {
     if flags & !FLAGS != 0 {
         return Err(r.bad(format!("flags {flags:#04x} of a block")));
     }
     let traversed = if flags & ALL_TRAVERSED != 0 { [u64::MAX; 8] } else { read_bits(r)? };
-    let mut block = Block { traversed, hits: None };
+    let mut block = VoxelBlock { traversed, hits: None };
     if flags & ALIKE != 0 {
         let (count, bits) = (r.u8()?, read_bits(r)?);
         if flags & HAS_HITS == 0 || count == 0 || bits == [0; 8] {
@@ -145,9 +145,9 @@ mod tests {
     use crate::{AtOnce, NEVER};
     use proptest::prelude::*;
 
-    fn seen(blocks: BlockMap<Block>) -> Occupancy {
+    fn seen(blocks: BlockMap<VoxelBlock>) -> Occupancy {
         let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.01, 5.0).unwrap();
-        Occupancy { known: Known::Seen(blocks), ..Occupancy::new(grid) }
+        Occupancy { known: KnownTile::Seen(blocks), ..Occupancy::new(grid) }
     }
 
     fn any_occupancy() -> impl Strategy<Value = Occupancy> {
@@ -156,7 +156,7 @@ mod tests {
             .prop_map(|(voxels, full)| {
                 let mut blocks = BlockMap::default();
                 for (v, what) in voxels {
-                    let block: &mut Block = made(&mut blocks, block_of(v), NEVER).unwrap();
+                    let block: &mut VoxelBlock = made(&mut blocks, block_of(v), NEVER).unwrap();
                     if what > 0 {
                         block.hit(slot_of(v), 1);
                     }
@@ -165,7 +165,7 @@ mod tests {
                     }
                 }
                 for key in full {
-                    blocks.insert(key, Block { traversed: [u64::MAX; 8], hits: None });
+                    blocks.insert(key, VoxelBlock { traversed: [u64::MAX; 8], hits: None });
                 }
                 seen(blocks)
             })
@@ -212,12 +212,12 @@ mod tests {
         let (mut set, mut blocks) = (VoxelSet::default(), BlockMap::default());
         for v in [[0, 0, 0], [1, 0, 0], [-3, 9, 100], [-3, 9, 108]] {
             set.insert(v, NEVER).unwrap();
-            made::<Block>(&mut blocks, block_of(v), NEVER).unwrap().hit(slot_of(v), DRAWN);
+            made::<VoxelBlock>(&mut blocks, block_of(v), NEVER).unwrap().hit(slot_of(v), DRAWN);
         }
         let model = set.into_model(grid, NEVER).unwrap();
         let bytes = model.to_bytes(NEVER).unwrap();
         assert_eq!(Occupancy::from_bytes(&bytes, NEVER).unwrap(), model);
-        let as_seen = |notes, blocks: &BlockMap<Block>| {
+        let as_seen = |notes, blocks: &BlockMap<VoxelBlock>| {
             let o = seen(blocks.clone());
             let sorted = o.sorted(NEVER).unwrap();
             let keys: Vec<_> = sorted.iter().map(|(key, _)| *key).collect();
@@ -231,7 +231,7 @@ mod tests {
                 .unwrap()
         };
         assert_eq!(as_seen([1, 0], &blocks), bytes);
-        made::<Block>(&mut blocks, [0, 0, 0], NEVER).unwrap().traverse(7);
+        made::<VoxelBlock>(&mut blocks, [0, 0, 0], NEVER).unwrap().traverse(7);
         assert!(Occupancy::from_bytes(&as_seen([0, 0], &blocks), NEVER).is_ok());
         assert!(Occupancy::from_bytes(&as_seen([1, 0], &blocks), NEVER).is_err());
     }
@@ -239,7 +239,7 @@ mod tests {
     /// Few bytes can stand for much memory: room is asked for before it is taken.
     #[test]
     fn memory_is_bounded() {
-        let full = Block { traversed: [u64::MAX; 8], hits: None };
+        let full = VoxelBlock { traversed: [u64::MAX; 8], hits: None };
         let o = seen((0..5000).map(|i| ([0, 0, i], full.clone())).collect());
         let bytes = o.to_bytes(NEVER).unwrap();
         assert!(bytes.len() < 5000 + 200, "a full block takes a byte: {}", bytes.len());

@@ -1,12 +1,12 @@
 //! Occupancy cut to a tile, made smoother or coarser.
 
-use super::known::Known;
+use super::known::KnownTile;
 use super::value::Occupancy;
 use crate::error::{Error, LatticeMismatch, Result};
 use crate::geometry::Aabb;
 use crate::voxel::lattice::bits::{holds, slot_of, slots};
 use crate::voxel::lattice::block_map::{block_of, insert, made, voxel_at};
-use crate::voxel::lattice::{Around, Bits, Block, BlockMap, Grid, VoxelBox, steps_within};
+use crate::voxel::lattice::{Around, Bits, BlockMap, Grid, VoxelBlock, VoxelBox, steps_within};
 use crate::voxel::model::VoxelSet;
 use crate::{Grow, Interrupt, poll_now_and_then};
 
@@ -16,8 +16,8 @@ impl Occupancy {
         let grid = self.grid.clipped(tile)?;
         let span = grid.span();
         let known = match &self.known {
-            Known::Seen(blocks) => Known::Seen(clipped(blocks, &span, interrupt)?),
-            Known::Drawn(set) => Known::Drawn(set.within(&span, interrupt)?),
+            KnownTile::Seen(blocks) => KnownTile::Seen(clipped(blocks, &span, interrupt)?),
+            KnownTile::Drawn(set) => KnownTile::Drawn(set.within(&span, interrupt)?),
         };
         Ok(Self { grid, span, known })
     }
@@ -30,8 +30,8 @@ impl Occupancy {
             steps.iter().filter(|&&step| around.holds(slot, step)).count() as u32 >= neighbours
         };
         let known = match &self.known {
-            Known::Seen(blocks) => Known::Seen(denoised(blocks, threshold, interrupt, has_enough)?),
-            Known::Drawn(set) => Known::Drawn(set.filtered(interrupt, has_enough)?),
+            KnownTile::Seen(blocks) => KnownTile::Seen(denoised(blocks, threshold, interrupt, has_enough)?),
+            KnownTile::Drawn(set) => KnownTile::Drawn(set.filtered(interrupt, has_enough)?),
         };
         Ok(Self { known, ..*self })
     }
@@ -48,8 +48,8 @@ impl Occupancy {
             ..Grid::new(2.0 * self.grid.voxel, self.grid.tile, self.grid.margin, self.grid.no_return_range)?
         };
         let known = match &self.known {
-            Known::Seen(blocks) => Known::Seen(downsampled(blocks, interrupt)?),
-            Known::Drawn(set) => Known::Drawn(downsampled_set(set, interrupt)?),
+            KnownTile::Seen(blocks) => KnownTile::Seen(downsampled(blocks, interrupt)?),
+            KnownTile::Drawn(set) => KnownTile::Drawn(downsampled_set(set, interrupt)?),
         };
         Ok(Self { grid, span: grid.span(), known })
     }
@@ -60,7 +60,7 @@ impl Occupancy {
     }
 }
 
-fn clipped(blocks: &BlockMap<Block>, span: &VoxelBox, interrupt: Interrupt) -> Result<BlockMap<Block>> {
+fn clipped(blocks: &BlockMap<VoxelBlock>, span: &VoxelBox, interrupt: Interrupt) -> Result<BlockMap<VoxelBlock>> {
     let mut out = BlockMap::default();
     for (round, (key, block)) in blocks.iter().enumerate() {
         poll_now_and_then(round, interrupt)?;
@@ -78,11 +78,11 @@ fn clipped(blocks: &BlockMap<Block>, span: &VoxelBox, interrupt: Interrupt) -> R
 }
 
 fn denoised(
-    blocks: &BlockMap<Block>,
+    blocks: &BlockMap<VoxelBlock>,
     threshold: u8,
     interrupt: Interrupt,
     has_enough: impl Fn(&Around<Bits>, usize) -> bool,
-) -> Result<BlockMap<Block>> {
+) -> Result<BlockMap<VoxelBlock>> {
     let mut occupied = BlockMap::default();
     occupied.grow(blocks.len(), interrupt)?;
     occupied.extend(blocks.iter().map(|(key, b)| (*key, b.occupied(threshold))));
@@ -107,7 +107,7 @@ fn larger(key: [i32; 3], slot: usize) -> [i64; 3] {
     voxel_at(key, slot).map(|i| i.div_euclid(2))
 }
 
-fn downsampled(blocks: &BlockMap<Block>, interrupt: Interrupt) -> Result<BlockMap<Block>> {
+fn downsampled(blocks: &BlockMap<VoxelBlock>, interrupt: Interrupt) -> Result<BlockMap<VoxelBlock>> {
     let mut out = BlockMap::default();
     for (round, (key, block)) in blocks.iter().enumerate() {
         poll_now_and_then(16 * round, interrupt)?;
@@ -117,7 +117,7 @@ fn downsampled(blocks: &BlockMap<Block>, interrupt: Interrupt) -> Result<BlockMa
                 continue;
             }
             let voxel = larger(*key, slot);
-            let whole: &mut Block = made(&mut out, block_of(voxel), interrupt)?;
+            let whole: &mut VoxelBlock = made(&mut out, block_of(voxel), interrupt)?;
             if is_traversed {
                 whole.traverse(slot_of(voxel));
             }

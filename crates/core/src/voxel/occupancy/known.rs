@@ -2,7 +2,7 @@
 
 use crate::voxel::lattice::bits::{self, Bits};
 use crate::voxel::lattice::block_map::in_order;
-use crate::voxel::lattice::{Around, Block, BlockMap, State};
+use crate::voxel::lattice::{Around, BlockMap, VoxelBlock, VoxelState};
 use crate::voxel::model::VoxelSet;
 use crate::{Interrupt, Result};
 
@@ -11,14 +11,14 @@ pub const DRAWN: u8 = u8::MAX;
 
 /// What is known of a tile, block by block.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Known {
+pub enum KnownTile {
     /// What beams saw: of the rest nothing is known.
-    Seen(BlockMap<Block>),
+    Seen(BlockMap<VoxelBlock>),
     /// A drawn model: what it does not fill is empty, everywhere in the tile.
     Drawn(VoxelSet),
 }
 
-impl Known {
+impl KnownTile {
     /// A block, where something is known of it.
     pub fn block(&self, key: [i32; 3]) -> Option<KnownBlock<'_>> {
         match self {
@@ -58,7 +58,7 @@ impl Known {
 #[derive(Debug, Clone, Copy)]
 pub enum KnownBlock<'a> {
     /// Returns and traversals.
-    Seen(&'a Block),
+    Seen(&'a VoxelBlock),
     /// The voxels that a model fills.
     Drawn(&'a Bits),
 }
@@ -109,15 +109,15 @@ impl KnownBlock<'_> {
     }
 
     /// State of a voxel by itself: occupied from `threshold` returns on.
-    pub fn state(&self, slot: usize, threshold: u8) -> State {
-        State::of(self.count(slot) >= threshold.max(1), self.is_traversed(slot))
+    pub fn state(&self, slot: usize, threshold: u8) -> VoxelState {
+        VoxelState::of(self.count(slot) >= threshold.max(1), self.is_traversed(slot))
     }
 }
 
 /// A block and its neighbours.
 pub enum KnownAround<'a> {
     /// What beams saw.
-    Seen(Around<'a, Block>),
+    Seen(Around<'a, VoxelBlock>),
     /// A drawn model.
     Drawn(Around<'a, Bits>),
 }

@@ -3,7 +3,7 @@
 use super::value::Occupancy;
 use crate::error::{Error, Limited, Result};
 use crate::geometry::Vec3;
-use crate::voxel::lattice::State;
+use crate::voxel::lattice::VoxelState;
 use crate::voxel::lattice::block_map::voxel_at;
 use crate::{Interrupt, poll_now_and_then};
 
@@ -47,10 +47,10 @@ impl Occupancy {
                 if voxel[axis] == layer {
                     let place = (voxel[v] - v_low) * columns + voxel[u] - u_low;
                     states[place as usize] = match block.state(slot, threshold) {
-                        State::Unknown => of_none,
-                        State::Empty => 1,
-                        State::Occupied => 2,
-                        State::Ambiguous => 3,
+                        VoxelState::Unknown => of_none,
+                        VoxelState::Empty => 1,
+                        VoxelState::Occupied => 2,
+                        VoxelState::Ambiguous => 3,
                     };
                 }
             }

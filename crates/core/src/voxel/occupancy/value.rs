@@ -1,13 +1,13 @@
 //! What is known of a tile of space: SQL's `ab_occupancy`.
 
-use super::known::{Known, KnownAround, KnownBlock};
+use super::known::{KnownAround, KnownBlock, KnownTile};
 use crate::error::{Error, LatticeMismatch, Result};
 use crate::geometry::Aabb;
-use crate::scan::Header;
-use crate::voxel::carve::{self, Tile};
+use crate::scan::PatchHeader;
+use crate::voxel::carve::{self, CarvedTile};
 use crate::voxel::lattice::bits::{self, slot_of};
 use crate::voxel::lattice::block_map::{block_of, insert, voxel_at};
-use crate::voxel::lattice::{Block, BlockMap, Grid, State, VoxelBox};
+use crate::voxel::lattice::{BlockMap, Grid, VoxelBlock, VoxelBox, VoxelState};
 use crate::voxel::model::VoxelSet;
 use crate::{Interrupt, poll, poll_now_and_then};
 
@@ -17,23 +17,23 @@ pub struct Occupancy {
     pub(super) grid: Grid,
     /// The voxels of the grid's tile.
     pub(super) span: VoxelBox,
-    pub(super) known: Known,
+    pub(super) known: KnownTile,
 }
 
 impl Occupancy {
     /// Nothing is known.
     pub fn new(grid: Grid) -> Self {
-        Self { grid, span: grid.span(), known: Known::Seen(BlockMap::default()) }
+        Self { grid, span: grid.span(), known: KnownTile::Seen(BlockMap::default()) }
     }
 
     /// A drawn model that fills no voxel yet.
     pub fn of_model(grid: Grid) -> Self {
-        Self { grid, span: grid.span(), known: Known::Drawn(VoxelSet::default()) }
+        Self { grid, span: grid.span(), known: KnownTile::Drawn(VoxelSet::default()) }
     }
 
     /// Whether it is a drawn model, of which everything is known.
     pub fn is_model(&self) -> bool {
-        matches!(self.known, Known::Drawn(_))
+        matches!(self.known, KnownTile::Drawn(_))
     }
 
     /// The lattice and the tile.
@@ -47,10 +47,10 @@ impl Occupancy {
     }
 
     /// State of a voxel.
-    pub fn state(&self, voxel: [i64; 3], threshold: u8) -> State {
+    pub fn state(&self, voxel: [i64; 3], threshold: u8) -> VoxelState {
         let known = self.block(block_of(voxel)).map(|b| b.state(slot_of(voxel), threshold));
-        let of_none = if self.is_model() && self.span.holds(voxel) { State::Empty } else { State::Unknown };
-        known.filter(|&state| state != State::Unknown).unwrap_or(of_none)
+        let of_none = if self.is_model() && self.span.holds(voxel) { VoxelState::Empty } else { VoxelState::Unknown };
+        known.filter(|&state| state != VoxelState::Unknown).unwrap_or(of_none)
     }
 
     /// What is known of a block.
@@ -78,13 +78,13 @@ impl Occupancy {
         &self,
         threshold: u8,
         interrupt: Interrupt,
-        mut visit: impl FnMut([i64; 3], State, u8),
+        mut visit: impl FnMut([i64; 3], VoxelState, u8),
     ) -> Result<()> {
         for (round, (key, block)) in self.sorted(interrupt)?.into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             for slot in bits::slots(&block.known()) {
                 let state = block.state(slot, threshold);
-                if state != State::Unknown {
+                if state != VoxelState::Unknown {
                     visit(voxel_at(key, slot), state, block.count(slot));
                 }
             }
@@ -93,7 +93,7 @@ impl Occupancy {
     }
 
     /// Whether a patch can say anything of the tile, by its header alone.
-    pub fn concerns(&self, header: &Header) -> bool {
+    pub fn concerns(&self, header: &PatchHeader) -> bool {
         carve::concerns(&self.grid, header)
     }
 
@@ -101,10 +101,10 @@ impl Occupancy {
     /// An error for a drawn model, of which everything is known.
     pub fn absorb(&mut self, patch: &[u8], interrupt: Interrupt) -> Result<()> {
         match &mut self.known {
-            Known::Seen(blocks) => {
-                carve::absorb(&mut Tile { grid: &self.grid, span: self.span, blocks }, patch, interrupt)
+            KnownTile::Seen(blocks) => {
+                carve::absorb(&mut CarvedTile { grid: &self.grid, span: self.span, blocks }, patch, interrupt)
             }
-            Known::Drawn(_) => Err(two_kinds()),
+            KnownTile::Drawn(_) => Err(two_kinds()),
         }
     }
 
@@ -112,14 +112,14 @@ impl Occupancy {
     pub fn merge(&mut self, other: &Self, interrupt: Interrupt) -> Result<()> {
         self.grid.same_rules(&other.grid)?;
         match (&mut self.known, &other.known) {
-            (Known::Drawn(mine), Known::Drawn(theirs)) => {
+            (KnownTile::Drawn(mine), KnownTile::Drawn(theirs)) => {
                 if !join(&self.grid.tile, &other.grid.tile) {
                     let [a, b] = [&self.grid, &other.grid].map(|g| g.tile.to_text());
                     return Err(Error::Lattice(LatticeMismatch::TilesApart(a, b)));
                 }
                 mine.unite(theirs, interrupt)?;
             }
-            (Known::Seen(mine), Known::Seen(theirs)) => add(mine, theirs, interrupt)?,
+            (KnownTile::Seen(mine), KnownTile::Seen(theirs)) => add(mine, theirs, interrupt)?,
             _ => return Err(two_kinds()),
         }
         self.grid.tile = self.grid.tile.union(&other.grid.tile);
@@ -132,7 +132,7 @@ impl VoxelSet {
     /// As an occupancy of which everything is known.
     pub fn into_model(self, grid: Grid, interrupt: Interrupt) -> Result<Occupancy> {
         poll(interrupt)?;
-        Ok(Occupancy { known: Known::Drawn(self), ..Occupancy::of_model(grid) })
+        Ok(Occupancy { known: KnownTile::Drawn(self), ..Occupancy::of_model(grid) })
     }
 }
 
@@ -141,7 +141,7 @@ fn two_kinds() -> Error {
 }
 
 /// Adds what beams saw elsewhere or from elsewhere.
-fn add(mine: &mut BlockMap<Block>, theirs: &BlockMap<Block>, interrupt: Interrupt) -> Result<()> {
+fn add(mine: &mut BlockMap<VoxelBlock>, theirs: &BlockMap<VoxelBlock>, interrupt: Interrupt) -> Result<()> {
     for (round, (key, block)) in theirs.iter().enumerate() {
         poll_now_and_then(round, interrupt)?;
         match mine.get_mut(key) {
@@ -173,7 +173,7 @@ mod tests {
         assert!(model.merge(&Occupancy::of_model(tile(2.0, 3.0)), NEVER).is_err(), "a gap");
         model.merge(&Occupancy::of_model(tile(1.0, 2.0)), NEVER).unwrap();
         assert_eq!(model.grid().tile, tile(0.0, 2.0).tile);
-        assert_eq!([15, 25].map(|x| model.state([x, 0, 0], 1)), [State::Empty, State::Unknown]);
+        assert_eq!([15, 25].map(|x| model.state([x, 0, 0], 1)), [VoxelState::Empty, VoxelState::Unknown]);
         let beam = Beam { offset: Vec3::new(1.5, 0.5, 0.5), returned: true };
         let patch = Patch::encode(1, Vec3::zeros(), 0.01, 1e-4, &[beam]).unwrap().to_bytes();
         assert!(model.absorb(&patch, NEVER).is_err() && seen.absorb(&patch, NEVER).is_ok());

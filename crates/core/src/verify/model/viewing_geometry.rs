@@ -2,7 +2,7 @@
 
 /// From where, and with which beams, a station sees one sample.
 #[derive(Debug, Clone, Copy)]
-pub struct Sight {
+pub struct ViewingGeometry {
     /// Distance of the station, metres; 0 where it has not one place.
     pub range: f64,
     /// Cosine of the incidence; 1 where the station has not one place.
