@@ -35,6 +35,20 @@ SELECT regexp_replace(array_to_string(parameters, ', '), 'ab_solid\|ab_scan\|ab_
        AS several, string_agg(symbol, ' ' ORDER BY symbol COLLATE "C") AS symbols
 FROM reads WHERE array_to_string(parameters, ' ') LIKE '%|%' GROUP BY 1 ORDER BY min(symbol) COLLATE "C";
 
+-- A default that SQL writes and the library has, too. Evidence without a model has all of the library's own; what rows
+-- are packed with is what ab_scan() says. (A default of NULL is known to the library alone.)
+SELECT proname AS function, parameter, (regexp_match(written, '^''?([^'':]*)'))[1] AS in_sql, value AS in_library
+FROM (SELECT ab_model(ab_evidence_agg(ab_solid(ab_box(0, 0, 0, 1, 1, 1)), NULL, NULL::ab_evidence_model))) AS all_of(model),
+     string_to_table(model::text, ' ') AS word,
+     split_part(word, '=', 1) AS name, split_part(word, '=', 2) AS value,
+     pg_proc, generate_series(1, pronargs) AS n, pg_get_function_arg_default(pg_proc.oid, n) AS written,
+     LATERAL (SELECT proargnames[n] AS parameter) AS named
+WHERE proname IN ('ab_evidence_model', '_ab_evidence_model_make_010', 'ab_ray_mass', 'ab_lambda', 'ab_surface_mass')
+      AND parameter = name AND written NOT LIKE 'NULL%'
+ORDER BY proname, parameter COLLATE "C";
+SELECT (SELECT ab_scan_agg(x, 0, 0, ARRAY[0, 0, 0]) FROM generate_series(5, 6) x)[1]::text
+       = ab_scan(ARRAY[0, 0, 0], ARRAY[[5, 0, 0], [6, 0, 0]])::text AS same_station_step_and_quantum;
+
 -- The test itself: declarations that differ are found.
 BEGIN;
 CREATE FUNCTION wrong(ab_point, float8) RETURNS ab_box AS '$libdir/asbuilt', 'ab_box_expand' LANGUAGE c IMMUTABLE STRICT;
