@@ -1,6 +1,7 @@
-//! Place of a box along a space-filling curve: neighbours on the curve are neighbours in space.
+//! Place of a box along a space-filling curve, by which index pages are packed.
 
 use super::Aabb;
+use crate::num::hilbert;
 
 /// Bits per axis; three axes fill an integer.
 const BITS: u32 = 21;
@@ -10,39 +11,7 @@ const CELL_M: f64 = 0.25;
 /// Place of the centre of `b` on a Hilbert curve of three dimensions.
 pub fn hilbert(b: &Aabb) -> u64 {
     let cell = |i: usize| (0.5 * (b.min[i] + b.max[i]) / CELL_M).floor() as i64 as u32 & ((1 << BITS) - 1);
-    interleaved(transposed([cell(0), cell(1), cell(2)]))
-}
-
-/// Coordinates to the transposed index (J. Skilling, Programming the Hilbert curve, 2004, AxestoTranspose).
-fn transposed(mut x: [u32; 3]) -> [u32; 3] {
-    let mut q = 1 << (BITS - 1);
-    while q > 1 {
-        let p = q - 1;
-        for i in 0..3 {
-            if x[i] & q != 0 {
-                x[0] ^= p;
-            } else {
-                let t = (x[0] ^ x[i]) & p;
-                x[0] ^= t;
-                x[i] ^= t;
-            }
-        }
-        q >>= 1;
-    }
-    x[1] ^= x[0];
-    x[2] ^= x[1];
-    let t = (1..BITS).filter(|&k| x[2] >> k & 1 == 1).fold(0, |t, k| t ^ ((1 << k) - 1));
-    x.map(|c| c ^ t)
-}
-
-fn interleaved(x: [u32; 3]) -> u64 {
-    let mut out = 0;
-    for k in (0..BITS).rev() {
-        for c in x {
-            out = out << 1 | u64::from(c >> k & 1);
-        }
-    }
-    out
+    hilbert::place_of::<BITS, 3>([cell(0), cell(1), cell(2)])
 }
 
 #[cfg(test)]

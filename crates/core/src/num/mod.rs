@@ -7,6 +7,7 @@
 //! * [`sort`]: long sorts that can be interrupted;
 //! * [`stats`]: order statistics;
 //! * [`whole`]: the whole numbers beside a number;
+//! * [`hilbert`]: cells along a space-filling curve;
 //! * [`normal`]: the normal distribution;
 //! * [`chi_square`]: the distribution of a sum of squares;
 //! * [`eigen`]: eigenvalues in bounded time.
@@ -14,6 +15,7 @@
 pub mod bytes;
 pub mod chi_square;
 pub(crate) mod eigen;
+pub(crate) mod hilbert;
 pub mod normal;
 pub(crate) mod sections;
 pub mod sort;

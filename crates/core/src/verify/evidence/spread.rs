@@ -1,6 +1,7 @@
 //! Spreading points evenly over a mesh, and putting them in an order in which neighbours lie together.
 
 use crate::geometry::{Faces, Solid, Vec3};
+use crate::num::hilbert;
 use crate::num::sort::sort;
 use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
@@ -55,38 +56,10 @@ pub fn sort_along_curve(points: &mut Vec<Vec3>, normal: &Vec3, spacing: f64, int
     order.grow(points.len(), interrupt)?;
     for (k, p) in points.iter().enumerate() {
         poll_now_and_then(k, interrupt)?;
-        order.push((hilbert(cell(p[i], low[0]), cell(p[j], low[1])), k as u32));
+        order.push((hilbert::place_of::<32, 2>([cell(p[i], low[0]), cell(p[j], low[1])]), k as u32));
     }
     sort(&mut order, interrupt)?;
     room::<Vec3>(points.len(), interrupt)?;
     *points = order.into_iter().map(|(_, k)| points[k as usize]).collect();
     Ok(())
-}
-
-/// Place of a cell along the Hilbert curve of order 32 (Hamilton & Rau-Chaplin's rotation form).
-fn hilbert(mut x: u32, mut y: u32) -> u64 {
-    let mut place = 0u64;
-    for bit in (0..32).rev() {
-        let (rx, ry) = (x >> bit & 1, y >> bit & 1);
-        place = place << 2 | u64::from((3 * rx) ^ ry);
-        if ry == 0 {
-            if rx == 1 {
-                (x, y) = (!x, !y);
-            }
-            (x, y) = (y, x);
-        }
-    }
-    place
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn hilbert_visits_every_cell_and_only_steps_to_neighbours() {
-        let mut cells: Vec<(u32, u32)> = (0..64).flat_map(|x| (0..64).map(move |y| (x, y))).collect();
-        cells.sort_by_key(|&(x, y)| hilbert(x, y));
-        assert!(cells.windows(2).all(|w| w[0].0.abs_diff(w[1].0) + w[0].1.abs_diff(w[1].1) == 1));
-    }
 }
