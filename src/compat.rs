@@ -9,9 +9,11 @@ use asbuilt_core::uncertain::UncertainPoint;
 use asbuilt_core::verify::{EvidenceModel, Shift, Summary};
 
 use crate::aggregates::evidence::{Gathering, absorb_patch, absorb_tie_point};
-use crate::pg::{Account, Backend, Declared, F64Array, Field, FixedModel, Message, SqlValue, TextInput, sql_functions};
+use crate::pg::{
+    Account, Backend, Declared, F64Array, FixedModel, Message, RowField, SqlValue, TextInput, sql_functions,
+};
 use crate::types::overlap::of_scan;
-use crate::types::{EvidenceArg, Given, ScanArg, SolidArg, beams, summary, summary_fields};
+use crate::types::{EvidenceArg, GivenParameters, ScanArg, SolidArg, beams, summary, summary_fields};
 
 /// The fixed-length form of the parameters: `ab_evidence_model_010`, once `ab_evidence_model`.
 fn fixed(m: &EvidenceModel) -> Result<SqlValue> {
@@ -33,15 +35,15 @@ fn or_default(model: Option<FixedModel>) -> Result<EvidenceModel> {
 }
 
 /// The columns of `ab_summary`, the last of them a text: `(+0.0121, -, +0.0003) +/- (0.0004, -, 0.0005)`.
-fn summary_row(s: &Summary) -> Vec<Field> {
+fn summary_row(s: &Summary) -> Vec<RowField> {
     let mut fields = summary_fields(s);
-    fields.push(Field::or_null(s.shift.as_ref(), |t| Field::Text(t.to_text())));
+    fields.push(RowField::or_null(s.shift.as_ref(), |t| RowField::Text(t.to_text())));
     fields
 }
 
 /// The offset along each axis, then their standard deviations.
-fn shift(t: &Shift) -> Vec<Field> {
-    let axis = |i: usize, x: f64| if t.determines(i) { Field::F64(x) } else { Field::Null };
+fn shift(t: &Shift) -> Vec<RowField> {
+    let axis = |i: usize, x: f64| if t.determines(i) { RowField::F64(x) } else { RowField::Null };
     (0..3).map(|i| axis(i, t.vector[i])).chain((0..3).map(|i| axis(i, t.sd(i)))).collect()
 }
 
@@ -100,13 +102,13 @@ sql_functions! {
             spacing, sigma_range, sigma_angle, sigma_station, sigma_model, confidence, reliability, max_incidence,
             no_return_range, no_return_weight, kappa, lambda, c,
         ];
-        fixed(&Given::of(loa, model, &numbers)?.model)
+        fixed(&GivenParameters::of(loa, model, &numbers)?.model)
     }
 
     fn ab_evidence_get_model(evidence: EvidenceArg) { fixed(&evidence.header()?.model) }
 
     /// The cast to today's type: all parameters count as given.
-    fn ab_evidence_model_renewed(model: FixedModel) { Given::all(parse(&model.0)?).ret() }
+    fn ab_evidence_model_renewed(model: FixedModel) { GivenParameters::all(parse(&model.0)?).ret() }
 
     /// Without intensity and colour.
     fn ab_scan_beams(rows: Rows; patch: ScanArg) {

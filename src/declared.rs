@@ -1,6 +1,6 @@
 //! `_ab_declared()`: what every C function expects its SQL declaration to say; a test compares it with the catalogue.
 
-use crate::pg::{Declared, Field, SqlValue, sql_functions};
+use crate::pg::{Declared, RowField, SqlValue, sql_functions};
 use crate::{aggregates, compat, gist, planner, types};
 
 /// All of them.
@@ -13,7 +13,7 @@ fn all() -> impl Iterator<Item = Declared> {
 sql_functions! {
     fn ab_declared(rows: Rows;) {
         for function in all() {
-            rows.push(&[Field::Text(function.to_text())]);
+            rows.push(&[RowField::Text(function.to_text())]);
         }
         Ok(SqlValue::Null)
     }

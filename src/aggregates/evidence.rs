@@ -14,7 +14,7 @@ use crate::types::{EvidenceArg, ModelArg, ScanArg, SolidArg, model_or_default};
 
 /// Evidence about one solid, gathered by one worker.
 #[derive(Default)]
-pub enum State {
+pub enum EvidenceState {
     /// No row with a solid yet.
     #[default]
     Empty,
@@ -31,7 +31,7 @@ pub struct Collecting {
     model: EvidenceModel,
 }
 
-impl State {
+impl EvidenceState {
     fn evidence(&self) -> Option<&Evidence> {
         match self {
             Self::Empty => None,
@@ -76,7 +76,7 @@ fn same_solid(collector: &Collector, solid: &SolidArg) -> Result<bool> {
 }
 
 /// The state of the aggregate, at a row.
-pub type Gathering = StateOrNew<State>;
+pub type Gathering = StateOrNew<EvidenceState>;
 
 /// A NULL patch adds nothing, but the object is there. `model` is asked for where there is a solid.
 pub fn absorb_patch(
@@ -134,7 +134,7 @@ sql_functions! {
         absorb_tie_point(state, solid, point, cameras, || model_or_default(model.as_ref()))
     }
 
-    fn ab_evidence_combine(left: Gathering, right: Option<AggState<State>>) {
+    fn ab_evidence_combine(left: Gathering, right: Option<AggState<EvidenceState>>) {
         let mut left = left.0;
         if let Some(mut right) = right
             && let Some(right) = right.get().evidence()
@@ -144,7 +144,7 @@ sql_functions! {
         Ok(left.ret())
     }
 
-    fn ab_evidence_serial(state: AggState<State>) {
+    fn ab_evidence_serial(state: AggState<EvidenceState>) {
         let mut state = state;
         let bytes = state.get().evidence().map(|e| e.to_bytes(&Backend)).transpose()?;
         Ok(SqlValue::Bytes(bytes.unwrap_or_default()))
@@ -152,13 +152,13 @@ sql_functions! {
 
     fn ab_evidence_deserial(bytes: Varlena<Bytea>, dummy: Internal) {
         let state = match bytes.bytes() {
-            [] => State::Empty,
-            bytes => State::Merged(Box::new(Evidence::from_bytes(bytes, &Backend)?)),
+            [] => EvidenceState::Empty,
+            bytes => EvidenceState::Merged(Box::new(Evidence::from_bytes(bytes, &Backend)?)),
         };
         Ok(deserialised_state(state).ret())
     }
 
-    fn ab_evidence_final(state: Option<AggState<State>>) {
+    fn ab_evidence_final(state: Option<AggState<EvidenceState>>) {
         let Some(mut state) = state else { return Ok(SqlValue::Null) };
         let bytes = state.get().evidence().map(|e| e.to_bytes(&Backend)).transpose()?;
         Ok(bytes.map_or(SqlValue::Null, SqlValue::Bytes))

@@ -11,9 +11,9 @@ use crate::types::{GridArg, OccupancyArg, ScanArg};
 
 /// Occupancy gathered by one worker.
 #[derive(Default)]
-struct State(Option<Occupancy>);
+struct OccupancyState(Option<Occupancy>);
 
-impl State {
+impl OccupancyState {
     fn absorb(&mut self, patch: Option<ScanArg>, grid: &GridArg) -> Result<()> {
         let grid = grid.read()?;
         let occupancy = self.0.get_or_insert_with(|| Occupancy::new(grid));
@@ -47,7 +47,7 @@ sql_functions! {
     on Account::Grid;
 
     /// A NULL patch adds nothing; a row without a grid is ignored.
-    fn ab_occupancy_accum(state: StateOrNew<State>, patch: Option<ScanArg>, grid: Option<GridArg>) {
+    fn ab_occupancy_accum(state: StateOrNew<OccupancyState>, patch: Option<ScanArg>, grid: Option<GridArg>) {
         let mut state = state.0;
         if let Some(grid) = grid {
             state.get().absorb(patch, &grid)?;
@@ -55,7 +55,7 @@ sql_functions! {
         Ok(state.ret())
     }
 
-    fn ab_occupancy_combine(left: StateOrNew<State>, right: Option<AggState<State>>) {
+    fn ab_occupancy_combine(left: StateOrNew<OccupancyState>, right: Option<AggState<OccupancyState>>) {
         let mut left = left.0;
         if let Some(mut right) = right
             && let Some(taken) = right.get().0.take()
@@ -65,26 +65,26 @@ sql_functions! {
         Ok(left.ret())
     }
 
-    fn ab_occupancy_serial(state: AggState<State>) {
+    fn ab_occupancy_serial(state: AggState<OccupancyState>) {
         let mut state = state;
         Ok(SqlValue::Bytes(state.get().to_bytes()?.unwrap_or_default()))
     }
 
     fn ab_occupancy_deserial(bytes: Varlena<Bytea>, dummy: Internal) {
-        let mut state = State::default();
+        let mut state = OccupancyState::default();
         if !bytes.bytes().is_empty() {
             state.merge(Occupancy::from_bytes(bytes.bytes(), &Backend)?)?;
         }
         Ok(deserialised_state(state).ret())
     }
 
-    fn ab_occupancy_final(state: Option<AggState<State>>) {
+    fn ab_occupancy_final(state: Option<AggState<OccupancyState>>) {
         let Some(mut state) = state else { return Ok(SqlValue::Null) };
         Ok(state.get().to_bytes()?.map_or(SqlValue::Null, SqlValue::Bytes))
     }
 
     /// The transition of ab_rollup_agg.
-    fn ab_occupancy_rollup_accum(state: StateOrNew<State>, occupancy: Option<OccupancyArg>) {
+    fn ab_occupancy_rollup_accum(state: StateOrNew<OccupancyState>, occupancy: Option<OccupancyArg>) {
         let mut state = state.0;
         if let Some(occupancy) = occupancy {
             state.get().merge(occupancy.read()?)?;

@@ -14,7 +14,7 @@ use crate::types::planes::{one_colour, one_intensity};
 type Building = StateOrNew<PatchBuilder>;
 
 /// What a row may tell beside its point; what the aggregate was not given is `None`.
-struct Told<'a> {
+struct RowAttributes<'a> {
     origin: Option<F64Array<'a>>,
     station: Option<i64>,
     intensity: Option<i32>,
@@ -22,7 +22,7 @@ struct Told<'a> {
 }
 
 /// A row with a NULL adds nothing.
-fn accumulate(call: &Args, state: Building, point: [Option<f64>; 3], told: Told) -> Result<SqlValue> {
+fn accumulate(call: &Args, state: Building, point: [Option<f64>; 3], told: RowAttributes) -> Result<SqlValue> {
     let mut state = state.0;
     let ([Some(x), Some(y), Some(z)], false) = (point, (1..call.len()).any(|i| call.is_null(i))) else {
         return Ok(state.ret());
@@ -42,14 +42,14 @@ sql_functions! {
         call: Call; state: Building, x: Option<f64>, y: Option<f64>, z: Option<f64>, origin: Option<F64Array>,
         station: Option<i64>, intensity: Option<i32>, colour: Option<I32Array>
     ) {
-        accumulate(call, state, [x, y, z], Told { origin, station, intensity, colour })
+        accumulate(call, state, [x, y, z], RowAttributes { origin, station, intensity, colour })
     }
 
     fn ab_cloud_accum(
         call: Call; state: Building, x: Option<f64>, y: Option<f64>, z: Option<f64>,
         station: Option<i64>, intensity: Option<i32>, colour: Option<I32Array>
     ) {
-        accumulate(call, state, [x, y, z], Told { origin: None, station, intensity, colour })
+        accumulate(call, state, [x, y, z], RowAttributes { origin: None, station, intensity, colour })
     }
 
     fn ab_scan_combine(left: Building, right: Option<AggState<PatchBuilder>>) {

@@ -7,7 +7,7 @@ use asbuilt_core::uncertain::{Stored, UncertainLine, UncertainPoint};
 use asbuilt_core::voxel::TileHeader;
 
 use crate::pg::{
-    Answer, Entry, GistQuery, Internal, KeyVector, Oid, PickSplit, Place, SqlValue, sorted_by, sql_functions,
+    Answer, Entry, GistQuery, Internal, KeyVector, Oid, PickSplit, SortKey, SqlValue, sorted_by, sql_functions,
 };
 use crate::types::overlap::{INDEX_SIGMAS, near_solid, of_point, of_scan, of_solid, of_tile, place, tile_box};
 use crate::types::{BOX_LEN, box_bytes, box_from};
@@ -50,7 +50,7 @@ fn nearest(entry: &Entry, query: &GistQuery, strategy: i16) -> asbuilt_core::Res
 /// Keys of a sorted build lie along a Hilbert curve.
 struct Curve;
 
-impl Place<BOX_LEN> for Curve {
+impl SortKey<BOX_LEN> for Curve {
     fn of(key: &[u8; BOX_LEN]) -> u64 {
         hilbert(&box_from(key))
     }

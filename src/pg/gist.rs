@@ -83,9 +83,9 @@ impl<T> Answer<T> {
 
 /// The right-hand side of an operator, of a type that the strategy number tells.
 #[derive(Debug)]
-pub struct Query<'a>(&'a Args, usize);
+pub struct GistQuery<'a>(&'a Args, usize);
 
-impl<'a> FromArg<'a> for Query<'a> {
+impl<'a> FromArg<'a> for GistQuery<'a> {
     const SQL_TYPE: &'static str = "ab_box|ab_solid|ab_scan|ab_point|ab_line|ab_occupancy|ab_change";
 
     fn from_arg(args: &'a Args, i: usize) -> Result<Self> {
@@ -93,7 +93,7 @@ impl<'a> FromArg<'a> for Query<'a> {
     }
 }
 
-impl<'a> Query<'a> {
+impl<'a> GistQuery<'a> {
     /// The value, as the type that the operator of the strategy has.
     pub fn of<T: FromArg<'a>>(&self) -> Result<T> {
         T::from_arg(self.0, self.1)

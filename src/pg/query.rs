@@ -12,7 +12,7 @@ use super::{Args, own_type_name, toast};
 
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Column {
+pub enum ResultColumn {
     /// `bigint` or a smaller integer.
     Integer,
     /// One of our variable-length types, by name.
@@ -21,7 +21,7 @@ pub enum Column {
 
 /// A value of a row; owned, so that it can be passed to other threads.
 #[derive(Debug, Clone)]
-pub enum Cell {
+pub enum ResultCell {
     /// NULL, or no such column.
     Null,
     /// An integer.
@@ -30,7 +30,7 @@ pub enum Cell {
     Bytes(Vec<u8>),
 }
 
-impl Cell {
+impl ResultCell {
     /// The content, unless NULL.
     pub fn bytes(&self) -> Option<&[u8]> {
         if let Self::Bytes(b) = self { Some(b) } else { None }
@@ -45,7 +45,7 @@ pub struct Query<'a> {
     /// SQL.
     pub text: &'a str,
     /// Its columns; the last `optional` of them may be missing.
-    pub columns: &'a [Column],
+    pub columns: &'a [ResultColumn],
     /// How many.
     pub optional: usize,
     /// The columns in words, for the message when the query returns others.
@@ -58,7 +58,7 @@ pub fn for_each_batch(
     args: &Args,
     query: Query,
     batch: i64,
-    mut visit: impl FnMut(Vec<Vec<Cell>>) -> Result<()>,
+    mut visit: impl FnMut(Vec<Vec<ResultCell>>) -> Result<()>,
 ) -> Result<()> {
     let text = CString::new(query.text).map_err(|_| Error::argument(query.what, "without a zero byte", "one with"))?;
     within(query.what, || unsafe {
@@ -87,7 +87,7 @@ unsafe fn fetch_all(
     query: &Query,
     portal: pg_sys::Portal,
     batch: i64,
-    visit: &mut impl FnMut(Vec<Vec<Cell>>) -> Result<()>,
+    visit: &mut impl FnMut(Vec<Vec<ResultCell>>) -> Result<()>,
 ) -> Result<()> {
     unsafe {
         let readers = readers(args, query, (*portal).tupDesc)?;
@@ -108,7 +108,7 @@ unsafe fn fetch_all(
 }
 
 #[derive(Clone, Copy)]
-enum Reader {
+enum ColumnReader {
     Int16,
     Int32,
     Int64,
@@ -116,7 +116,7 @@ enum Reader {
 }
 
 /// How to read each column that is there.
-unsafe fn readers(args: &Args, query: &Query, desc: pg_sys::TupleDesc) -> Result<Vec<Reader>> {
+unsafe fn readers(args: &Args, query: &Query, desc: pg_sys::TupleDesc) -> Result<Vec<ColumnReader>> {
     let (least, most) = (query.columns.len() - query.optional, query.columns.len());
     let found = if desc.is_null() { 0 } else { unsafe { (*desc).natts as usize } };
     let wrong = |found: String| Error::argument(query.what, query.expected, found);
@@ -127,10 +127,10 @@ unsafe fn readers(args: &Args, query: &Query, desc: pg_sys::TupleDesc) -> Result
         let oid = unsafe { (*(*desc).attrs.as_ptr().add(i)).atttypid };
         let own = own_type_name(args, oid);
         match query.columns[i] {
-            Column::Integer if oid == pg_sys::INT2OID => Ok(Reader::Int16),
-            Column::Integer if oid == pg_sys::INT4OID => Ok(Reader::Int32),
-            Column::Integer if oid == pg_sys::INT8OID => Ok(Reader::Int64),
-            Column::Varlena(name) if own.as_deref() == Some(name) => Ok(Reader::Varlena),
+            ResultColumn::Integer if oid == pg_sys::INT2OID => Ok(ColumnReader::Int16),
+            ResultColumn::Integer if oid == pg_sys::INT4OID => Ok(ColumnReader::Int32),
+            ResultColumn::Integer if oid == pg_sys::INT8OID => Ok(ColumnReader::Int64),
+            ResultColumn::Varlena(name) if own.as_deref() == Some(name) => Ok(ColumnReader::Varlena),
             _ => {
                 let name = unsafe { std::ffi::CStr::from_ptr(pg_sys::format_type_be(oid)) };
                 Err(wrong(format!("{} in column {}", name.to_string_lossy(), i + 1)))
@@ -140,18 +140,18 @@ unsafe fn readers(args: &Args, query: &Query, desc: pg_sys::TupleDesc) -> Result
     (0..found).map(reader).collect()
 }
 
-unsafe fn row(tuple: pg_sys::HeapTuple, desc: pg_sys::TupleDesc, readers: &[Reader]) -> Result<Vec<Cell>> {
-    let cell = |(i, reader): (usize, &Reader)| unsafe {
+unsafe fn row(tuple: pg_sys::HeapTuple, desc: pg_sys::TupleDesc, readers: &[ColumnReader]) -> Result<Vec<ResultCell>> {
+    let cell = |(i, reader): (usize, &ColumnReader)| unsafe {
         let mut is_null = false;
         let datum = pg_sys::SPI_getbinval(tuple, desc, i as i32 + 1, &mut is_null);
         if is_null {
-            return Ok(Cell::Null);
+            return Ok(ResultCell::Null);
         }
         Ok(match *reader {
-            Reader::Int16 => Cell::Integer(i64::from(datum.value() as i16)),
-            Reader::Int32 => Cell::Integer(i64::from(datum.value() as i32)),
-            Reader::Int64 => Cell::Integer(datum.value() as i64),
-            Reader::Varlena => {
+            ColumnReader::Int16 => ResultCell::Integer(i64::from(datum.value() as i16)),
+            ColumnReader::Int32 => ResultCell::Integer(i64::from(datum.value() as i32)),
+            ColumnReader::Int64 => ResultCell::Integer(datum.value() as i64),
+            ColumnReader::Varlena => {
                 let stored: *mut pg_sys::varlena = datum.cast_mut_ptr();
                 let fetched = toast::fetch(stored);
                 let bytes = pgrx::varlena::varlena_to_byte_slice(fetched);
@@ -160,7 +160,7 @@ unsafe fn row(tuple: pg_sys::HeapTuple, desc: pg_sys::TupleDesc, readers: &[Read
                 if fetched != stored {
                     pg_sys::pfree(fetched.cast());
                 }
-                Cell::Bytes(bytes)
+                ResultCell::Bytes(bytes)
             }
         })
     };

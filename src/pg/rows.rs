@@ -10,7 +10,7 @@ use super::{Args, array};
 
 /// One column of a returned row.
 #[derive(Debug, Clone)]
-pub enum Field {
+pub enum RowField {
     /// NULL.
     Null,
     /// `integer`.
@@ -39,7 +39,7 @@ pub enum Field {
     Fixed(Vec<u8>),
 }
 
-impl Field {
+impl RowField {
     /// NULL for `None`.
     pub fn or_null<T>(value: Option<T>, field: impl FnOnce(T) -> Self) -> Self {
         value.map_or(Self::Null, field)
@@ -111,7 +111,7 @@ unsafe fn remembered_row(fcinfo: pg_sys::FunctionCallInfo) -> pg_sys::TupleDesc 
     }
 }
 
-unsafe fn values(desc: pg_sys::TupleDesc, fields: &[Field]) -> (Vec<pg_sys::Datum>, Vec<bool>) {
+unsafe fn values(desc: pg_sys::TupleDesc, fields: &[RowField]) -> (Vec<pg_sys::Datum>, Vec<bool>) {
     let natts = unsafe { (*desc).natts } as usize;
     assert!(natts == fields.len(), "{natts} columns declared, {} given", fields.len());
     let mut nulls = vec![false; natts];
@@ -130,7 +130,7 @@ unsafe fn values(desc: pg_sys::TupleDesc, fields: &[Field]) -> (Vec<pg_sys::Datu
 ///
 /// # Safety
 /// `fcinfo` must be the pointer PostgreSQL called the function with.
-pub unsafe fn composite(fcinfo: pg_sys::FunctionCallInfo, fields: &[Field]) -> pg_sys::Datum {
+pub unsafe fn composite(fcinfo: pg_sys::FunctionCallInfo, fields: &[RowField]) -> pg_sys::Datum {
     unsafe {
         let desc = remembered_row(fcinfo);
         let (mut datums, mut nulls) = values(desc, fields);
@@ -177,7 +177,7 @@ impl Rows {
     }
 
     /// Adds a row.
-    pub fn push(&mut self, fields: &[Field]) {
+    pub fn push(&mut self, fields: &[RowField]) {
         unsafe {
             let before = pg_sys::MemoryContextSwitchTo(self.scratch);
             let (mut datums, mut nulls) = values(self.desc, fields);

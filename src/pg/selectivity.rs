@@ -8,7 +8,7 @@ use super::{Args, own_type_name};
 
 /// What the planner knows of a column: statistics of ours, if it was analysed.
 #[derive(Debug)]
-pub struct Known {
+pub struct ColumnStatistics {
     /// Name of its type, if it is one of ours.
     pub type_name: Option<String>,
     /// Share of rows that are not NULL.
@@ -27,7 +27,7 @@ pub enum Other {
     /// NULL.
     Null,
     /// A column of another table.
-    Column(Known),
+    Column(ColumnStatistics),
     /// Known only when the query runs.
     Unknown,
 }
@@ -36,7 +36,7 @@ pub enum Other {
 #[derive(Debug)]
 pub struct Restriction {
     /// The column.
-    pub column: Known,
+    pub column: ColumnStatistics,
     /// What it is compared with.
     pub other: Other,
     /// Whether the column stands on the left.
@@ -81,9 +81,9 @@ unsafe fn other(args: &Args, root: *mut pg_sys::PlannerInfo, node: *mut pg_sys::
 #[derive(Debug)]
 pub struct Join {
     /// The left column.
-    pub left: Known,
+    pub left: ColumnStatistics,
     /// The right column.
-    pub right: Known,
+    pub right: ColumnStatistics,
     /// For a semi or anti join, the rows of the inner side.
     pub inner_rows: Option<f64>,
 }
@@ -108,10 +108,11 @@ pub fn join(args: &Args) -> Join {
 
 /// What is known about a column, as far as the user may know it: as with PostgreSQL's own estimators, an operator that
 /// is not leakproof is told nothing about rows that row-level security or missing rights hide.
-unsafe fn known(args: &Args, data: &mut pg_sys::VariableStatData) -> Known {
+unsafe fn known(args: &Args, data: &mut pg_sys::VariableStatData) -> ColumnStatistics {
     unsafe {
         let rows = if data.rel.is_null() { 1.0 } else { (*data.rel).rows.max(1.0) };
-        let mut out = Known { type_name: own_type_name(args, data.vartype), present: 1.0, numbers: None, rows };
+        let mut out =
+            ColumnStatistics { type_name: own_type_name(args, data.vartype), present: 1.0, numbers: None, rows };
         if data.statsTuple.is_null() {
             return out;
         }

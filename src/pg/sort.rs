@@ -11,13 +11,13 @@ unsafe extern "C-unwind" {
 }
 
 /// The number that a fixed-length key of `N` bytes is sorted by.
-pub trait Place<const N: usize> {
+pub trait SortKey<const N: usize> {
     /// The value's number.
     fn of(key: &[u8; N]) -> u64;
 }
 
 /// sortsupport(internal): keys are compared by these numbers, which are kept beside them where the sort allows.
-pub fn sorted_by<P: Place<N>, const N: usize>(args: &Args) -> SqlValue {
+pub fn sorted_by<P: SortKey<N>, const N: usize>(args: &Args) -> SqlValue {
     unsafe {
         let support = &mut *args.datum(0).cast_mut_ptr::<pg_sys::SortSupportData>();
         support.comparator = Some(compare::<P, N>);
@@ -31,7 +31,7 @@ pub fn sorted_by<P: Place<N>, const N: usize>(args: &Args) -> SqlValue {
     }
 }
 
-unsafe extern "C-unwind" fn compare<P: Place<N>, const N: usize>(
+unsafe extern "C-unwind" fn compare<P: SortKey<N>, const N: usize>(
     x: pg_sys::Datum,
     y: pg_sys::Datum,
     _support: pg_sys::SortSupport,
@@ -39,14 +39,14 @@ unsafe extern "C-unwind" fn compare<P: Place<N>, const N: usize>(
     unsafe { pgrx_extern_c_guard(|| place_of::<P, N>(x).cmp(&place_of::<P, N>(y)) as std::ffi::c_int) }
 }
 
-unsafe extern "C-unwind" fn place<P: Place<N>, const N: usize>(
+unsafe extern "C-unwind" fn place<P: SortKey<N>, const N: usize>(
     key: pg_sys::Datum,
     _support: pg_sys::SortSupport,
 ) -> pg_sys::Datum {
     unsafe { pgrx_extern_c_guard(|| pg_sys::Datum::from(place_of::<P, N>(key) as usize)) }
 }
 
-unsafe fn place_of<P: Place<N>, const N: usize>(key: pg_sys::Datum) -> u64 {
+unsafe fn place_of<P: SortKey<N>, const N: usize>(key: pg_sys::Datum) -> u64 {
     P::of(unsafe { &*key.cast_mut_ptr::<[u8; N]>() })
 }
 

@@ -4,7 +4,7 @@ use pgrx::pg_sys;
 
 use super::array;
 use super::interrupt::serve;
-use super::rows::{self, Field};
+use super::rows::{self, RowField};
 
 /// What an SQL function returns.
 #[derive(Debug)]
@@ -32,7 +32,7 @@ pub enum SqlValue {
     /// An array of one of our variable-length types, as the function declares it; NULL when empty.
     VarlenaArray(Vec<Vec<u8>>),
     /// A row of the function's OUT columns.
-    Row(Vec<Field>),
+    Row(Vec<RowField>),
     /// An address or a value handed through as it is.
     Raw(pg_sys::Datum),
 }

@@ -6,7 +6,7 @@ use asbuilt_core::Result;
 use asbuilt_core::geometry::Solid;
 use asbuilt_core::scan::Patch;
 use asbuilt_core::verify::{Evidence, EvidenceModel};
-use asbuilt_core::voxel::{Change, Grid, Occupancy};
+use asbuilt_core::voxel::{Grid, Occupancy, VoxelChange};
 
 use super::{Args, FromArg, SqlValue};
 
@@ -29,7 +29,7 @@ pub enum Bytea {}
 
 /// A tile of voxels, whichever: both begin with the same header.
 #[derive(Debug)]
-pub enum Tile {}
+pub enum AnyTile {}
 
 /// Any type that is compared by its bytes.
 #[derive(Debug)]
@@ -42,9 +42,9 @@ varlena_types! {
     EvidenceModel, "ab_evidence_model";
     Grid, "ab_grid";
     Occupancy, "ab_occupancy";
-    Change, "ab_change";
+    VoxelChange, "ab_change";
     Bytea, "bytea";
-    Tile, "ab_occupancy|ab_change";
+    AnyTile, "ab_occupancy|ab_change";
     Compared, "ab_solid|ab_scan|ab_evidence|ab_occupancy|ab_change|ab_evidence_model|ab_grid";
 }
 

@@ -6,8 +6,8 @@ use asbuilt_core::geometry::{Aabb, BoxRelation, BoxStatistics};
 use asbuilt_core::scan::JOIN_MARGIN_M;
 
 use crate::pg::{
-    Args, Internal, Known, Oid, Other, Restriction, SqlValue, Statistics, analysed_by, join, own_value, restriction,
-    sql_functions,
+    Args, ColumnStatistics, Internal, Oid, Other, Restriction, SqlValue, Statistics, analysed_by, join, own_value,
+    restriction, sql_functions,
 };
 use crate::types::overlap::{of_line, of_point, of_scan, of_solid, of_tile};
 
@@ -37,7 +37,7 @@ fn box_of(type_name: &str, value: &Args) -> Option<Aabb> {
     }
 }
 
-fn statistics(column: &Known) -> Option<BoxStatistics> {
+fn statistics(column: &ColumnStatistics) -> Option<BoxStatistics> {
     BoxStatistics::from_numbers(column.numbers.as_deref()?)
 }
 

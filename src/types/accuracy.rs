@@ -2,7 +2,7 @@
 
 use asbuilt_core::evidence::{Loa, accuracy};
 
-use crate::pg::{Field, SqlValue, sql_functions};
+use crate::pg::{RowField, SqlValue, sql_functions};
 
 sql_functions! {
     fn ab_loa_confidence(loa: Loa, within: f64) { Ok(SqlValue::F64(loa.confidence(within)?)) }
@@ -17,7 +17,7 @@ sql_functions! {
 
     fn ab_convert_belief_linear(belief: f64, sigma: f64, sigma_to: f64, divisor: f64) {
         let (belief, capped) = accuracy::convert_belief_linear(belief, sigma, sigma_to, divisor)?;
-        Ok(SqlValue::Row(vec![Field::F64(belief), Field::Bool(capped)]))
+        Ok(SqlValue::Row(vec![RowField::F64(belief), RowField::Bool(capped)]))
     }
 
     fn ab_relative_tolerance(t1: f64, t2: f64, rule: String) {
@@ -32,10 +32,10 @@ sql_functions! {
     fn ab_din18710_class(rows: Rows;) {
         for (class, lower, upper) in accuracy::DIN_18710 {
             rows.push(&[
-                Field::Text(class.into()),
-                Field::F64(lower),
-                Field::F64(upper),
-                Field::Text("DIN 18710-1:2010, one standard deviation".into()),
+                RowField::Text(class.into()),
+                RowField::F64(lower),
+                RowField::F64(upper),
+                RowField::Text("DIN 18710-1:2010, one standard deviation".into()),
             ]);
         }
         Ok(SqlValue::Null)

@@ -1,7 +1,7 @@
 //! `ab_change`: core's byte form, on disk and on the wire; in hexadecimal as text; and the functions on it.
 
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::voxel::{Change, ChangeClass, ChangeSettings, TileHeader};
+use asbuilt_core::voxel::{ChangeClass, ChangeSettings, TileHeader, VoxelChange};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
@@ -10,26 +10,26 @@ use super::hex::{hex_in, hex_out};
 use super::occupancy::{OccupancyArg, cover};
 use super::rollup::rolled_up;
 use super::solid::SolidArg;
-use crate::pg::{Account, Backend, Field, Message, SqlValue, TextArray, TextInput, Varlena, sql_functions};
+use crate::pg::{Account, Backend, Message, RowField, SqlValue, TextArray, TextInput, Varlena, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_change:1:";
 
-fn read(bytes: &[u8]) -> Result<Change> {
-    Change::from_bytes(bytes, &Backend)
+fn read(bytes: &[u8]) -> Result<VoxelChange> {
+    VoxelChange::from_bytes(bytes, &Backend)
 }
 
 /// A change.
-type ChangeArg<'a> = Varlena<'a, Change>;
+type ChangeArg<'a> = Varlena<'a, VoxelChange>;
 
 impl ChangeArg<'_> {
     /// The whole of it.
-    fn read(&self) -> Result<Change> {
+    fn read(&self) -> Result<VoxelChange> {
         read(self.bytes())
     }
 }
 
-fn ret(change: &Change) -> Result<SqlValue> {
+fn ret(change: &VoxelChange) -> Result<SqlValue> {
     Ok(SqlValue::Bytes(change.to_bytes(&Backend)?))
 }
 
@@ -44,7 +44,7 @@ sql_functions! {
 
     fn ab_change_send(change: ChangeArg) { Ok(change.copied()) }
 
-    fn ab_change_grid(change: ChangeArg) { grid_ret(&Change::header(change.prefix(TileHeader::LEN))?.grid) }
+    fn ab_change_grid(change: ChangeArg) { grid_ret(&VoxelChange::header(change.prefix(TileHeader::LEN))?.grid) }
 
     fn ab_change_clip(change: ChangeArg, tile: Aabb) { ret(&change.read()?.clipped(&tile, &Backend)?) }
 
@@ -53,7 +53,7 @@ sql_functions! {
         let (old, new) = (old.read()?, new.read()?);
         let margin = old.grid().margin.max(new.grid().margin).min(8.0 * new.grid().voxel);
         let tolerance = tolerance.unwrap_or(margin);
-        ret(&Change::between(&old, &new, ChangeSettings { threshold, tolerance }, &Backend)?)
+        ret(&VoxelChange::between(&old, &new, ChangeSettings { threshold, tolerance }, &Backend)?)
     }
 
     fn ab_change_rollup(c1: Option<ChangeArg>, c2: Option<ChangeArg>) {
@@ -75,9 +75,9 @@ sql_functions! {
         let tally = change.tally(mask.as_ref(), margin, &Backend)?;
         let (total, volume) = (tally.total(), change.grid().voxel_volume());
         let voxels: Vec<u64> = tally.voxels.into_iter().chain([total]).collect();
-        let share = |n: u64| if total == 0 { Field::Null } else { Field::F64(n as f64 / total as f64) };
-        let counts = voxels.iter().map(|&n| Field::I64(n as i64));
-        let volumes = voxels.iter().map(|&n| Field::F64(n as f64 * volume));
+        let share = |n: u64| if total == 0 { RowField::Null } else { RowField::F64(n as f64 / total as f64) };
+        let counts = voxels.iter().map(|&n| RowField::I64(n as i64));
+        let volumes = voxels.iter().map(|&n| RowField::F64(n as f64 * volume));
         Ok(SqlValue::Row(counts.chain(volumes).chain(tally.voxels.into_iter().map(share)).collect()))
     }
 
@@ -91,8 +91,8 @@ sql_functions! {
         let change = change.read()?;
         change.for_each(&Backend, |voxel, class| {
             if classes.contains(&class) {
-                let [x, y, z] = <[f64; 3]>::from(change.grid().centre(voxel)).map(Field::F64);
-                rows.push(&[x, y, z, Field::Text(change.class_name(class).into())]);
+                let [x, y, z] = <[f64; 3]>::from(change.grid().centre(voxel)).map(RowField::F64);
+                rows.push(&[x, y, z, RowField::Text(change.class_name(class).into())]);
             }
         })?;
         Ok(SqlValue::Null)
@@ -117,11 +117,11 @@ sql_functions! {
         found.sort_by_key(|c| std::cmp::Reverse(c.voxels));
         for c in found {
             rows.push(&[
-                Field::Text(change.class_name(c.class).into()),
-                Field::I64(c.voxels as i64),
-                Field::F64(c.voxels as f64 * change.grid().voxel_volume()),
-                Field::Fixed(box_bytes(&c.bounds)),
-                Field::Vector(c.centroid.into()),
+                RowField::Text(change.class_name(c.class).into()),
+                RowField::I64(c.voxels as i64),
+                RowField::F64(c.voxels as f64 * change.grid().voxel_volume()),
+                RowField::Fixed(box_bytes(&c.bounds)),
+                RowField::Vector(c.centroid.into()),
             ]);
         }
         Ok(SqlValue::Null)

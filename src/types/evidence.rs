@@ -4,7 +4,7 @@ use asbuilt_core::Result;
 use asbuilt_core::verify::{Evidence, EvidenceHeader};
 
 use super::box_bytes;
-use super::evidence_model::Given;
+use super::evidence_model::GivenParameters;
 use super::hex::{hex_in, hex_out};
 use super::rollup::rolled_up;
 use crate::pg::{Account, Backend, Message, SqlValue, TextInput, Varlena, sql_functions};
@@ -69,5 +69,5 @@ sql_functions! {
     }
 
     /// All parameters count as given.
-    fn ab_model_of_evidence(evidence: EvidenceArg) { Given::all(evidence.header()?.model).ret() }
+    fn ab_model_of_evidence(evidence: EvidenceArg) { GivenParameters::all(evidence.header()?.model).ret() }
 }

@@ -6,13 +6,13 @@ use asbuilt_core::evidence::{Loa, SensorPreset};
 use asbuilt_core::num::words::Words;
 use asbuilt_core::verify::{EvidenceModel, IntensityNoise, ModelKind};
 
-use crate::pg::{Field, Message, SqlValue, TextInput, Varlena, sql_functions};
+use crate::pg::{Message, RowField, SqlValue, TextInput, Varlena, sql_functions};
 
 const WORDS: Words = Words { ty: "ab_evidence_model", letter: b'M' };
 
 /// Parameters, and the names of those that were given.
 #[derive(Debug, Default)]
-pub struct Given {
+pub struct GivenParameters {
     /// With the defaults of the others.
     pub model: EvidenceModel,
     names: Vec<String>,
@@ -23,7 +23,7 @@ fn name_of(word: &str) -> &str {
     word.split_once('=').map_or("loa", |(name, _)| name)
 }
 
-impl Given {
+impl GivenParameters {
     /// All of them.
     pub fn all(model: EvidenceModel) -> Self {
         Self { model, names: model.to_text().split(' ').map(|w| name_of(w).to_owned()).collect() }
@@ -80,8 +80,8 @@ impl Given {
 pub type ModelArg<'a> = Varlena<'a, EvidenceModel>;
 
 impl ModelArg<'_> {
-    fn given(&self) -> Result<Given> {
-        WORDS.decode(self.bytes(), Given::from_text)
+    fn given(&self) -> Result<GivenParameters> {
+        WORDS.decode(self.bytes(), GivenParameters::from_text)
     }
 }
 
@@ -92,15 +92,15 @@ pub fn model_or_default(model: Option<&ModelArg>) -> Result<EvidenceModel> {
 
 /// Reads the stored form.
 pub fn parse(bytes: &[u8]) -> Result<EvidenceModel> {
-    Ok(WORDS.decode(bytes, Given::from_text)?.model)
+    Ok(WORDS.decode(bytes, GivenParameters::from_text)?.model)
 }
 
 sql_functions! {
-    fn ab_model_in(text: TextInput) { Given::from_text(&text.text())?.ret() }
+    fn ab_model_in(text: TextInput) { GivenParameters::from_text(&text.text())?.ret() }
 
     fn ab_model_out(model: ModelArg) { Ok(SqlValue::CString(model.given()?.to_text())) }
 
-    fn ab_model_recv(message: Message) { WORDS.decode(message.rest(), Given::from_text)?.ret() }
+    fn ab_model_recv(message: Message) { WORDS.decode(message.rest(), GivenParameters::from_text)?.ret() }
 
     fn ab_model_send(model: ModelArg) { Ok(model.copied()) }
 
@@ -114,7 +114,7 @@ sql_functions! {
             spacing, sigma_range, sigma_angle, sigma_station, sigma_model, confidence, reliability, max_incidence,
             no_return_range, no_return_weight, kappa, lambda, c,
         ];
-        Given::of(loa, model, &numbers)?.ret()
+        GivenParameters::of(loa, model, &numbers)?.ret()
     }
 
     /// One preset, or all of them without a name.
@@ -124,10 +124,10 @@ sql_functions! {
             Some(name) => vec![SensorPreset::named(&name)?],
         };
         for p in all {
-            let numbers = [p.sigma_range, p.sigma_angle, p.sigma_station, p.max_range].map(Field::F64);
-            let mut row = vec![Field::Text(p.name.into())];
+            let numbers = [p.sigma_range, p.sigma_angle, p.sigma_station, p.max_range].map(RowField::F64);
+            let mut row = vec![RowField::Text(p.name.into())];
             row.extend(numbers);
-            row.push(Field::Text(p.description.into()));
+            row.push(RowField::Text(p.description.into()));
             rows.push(&row);
         }
         Ok(SqlValue::Null)

@@ -8,7 +8,7 @@ use asbuilt_core::voxel::Grid;
 use asbuilt_core::{Budget, Error, Result};
 
 use super::box_bytes;
-use crate::pg::{Backend, Field, Message, SqlValue, TextInput, Varlena, sql_functions};
+use crate::pg::{Backend, Message, RowField, SqlValue, TextInput, Varlena, sql_functions};
 
 /// Most tiles that `ab_tiles` returns.
 const MAX_TILES: f64 = 1e7;
@@ -70,7 +70,7 @@ sql_functions! {
                 Backend.poll()?;
                 let low = [i, j, k].map(|n| n * size);
                 let high = [i, j, k].map(|n| (n + 1.0) * size);
-                rows.push(&[Field::Fixed(box_bytes(&Aabb::new(low, high)?))]);
+                rows.push(&[RowField::Fixed(box_bytes(&Aabb::new(low, high)?))]);
             }
         }
         Ok(SqlValue::Null)

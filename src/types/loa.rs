@@ -2,17 +2,17 @@
 
 use asbuilt_core::evidence::Loa;
 
-use crate::pg::{Field, SqlValue, sql_functions};
+use crate::pg::{RowField, SqlValue, sql_functions};
 
 sql_functions! {
     fn ab_loa_class(rows: Rows;) {
         for loa in Loa::ALL {
             rows.push(&[
-                Field::Loa(loa),
-                Field::F64(loa.lower()),
-                Field::F64(loa.upper()),
-                Field::F64(loa.upper() / 2.0),
-                Field::Text("USIBD Level of Accuracy Specification Guide, version 2.0 (2016), 95 %".into()),
+                RowField::Loa(loa),
+                RowField::F64(loa.lower()),
+                RowField::F64(loa.upper()),
+                RowField::F64(loa.upper() / 2.0),
+                RowField::Text("USIBD Level of Accuracy Specification Guide, version 2.0 (2016), 95 %".into()),
             ]);
         }
         Ok(SqlValue::Null)

@@ -1,9 +1,9 @@
 //! `ab_memory()`: what asbuilt takes in this session's process.
 
-use crate::pg::{Field, SqlValue, memory_in_use, sql_functions};
+use crate::pg::{RowField, SqlValue, memory_in_use, sql_functions};
 
 sql_functions! {
     fn ab_memory(from_now: Option<bool>) {
-        Ok(SqlValue::Row(memory_in_use(from_now.unwrap_or(false)).map(Field::I64).to_vec()))
+        Ok(SqlValue::Row(memory_in_use(from_now.unwrap_or(false)).map(RowField::I64).to_vec()))
     }
 }

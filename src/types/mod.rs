@@ -31,7 +31,7 @@ mod voxelize;
 
 pub use aabb::{BOX_LEN, box_bytes, box_from};
 pub use evidence::EvidenceArg;
-pub use evidence_model::{Given, ModelArg, model_or_default};
+pub use evidence_model::{GivenParameters, ModelArg, model_or_default};
 pub use grid::GridArg;
 pub use mass::{mass_bytes, mass_ret};
 pub use occupancy::OccupancyArg;

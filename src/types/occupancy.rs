@@ -10,7 +10,7 @@ use super::hex::{hex_in, hex_out};
 use super::overlap::TileArg;
 use super::rollup::rolled_up;
 use super::solid::SolidArg;
-use crate::pg::{Account, Backend, Field, Message, SqlValue, TextArray, TextInput, Varlena, sql_functions};
+use crate::pg::{Account, Backend, Message, RowField, SqlValue, TextArray, TextInput, Varlena, sql_functions};
 
 /// Text form: this, then the bytes in hexadecimal.
 const PREFIX: &str = "ab_occupancy:1:";
@@ -108,9 +108,9 @@ sql_functions! {
         occupancy.for_each(ChangeSettings::threshold(threshold)?, &Backend, |voxel, state, hits| {
             if states.contains(&state) {
                 let centre = occupancy.grid().centre(voxel);
-                let place = [0, 1, 2].map(|i| Field::F64(centre[i]));
+                let place = [0, 1, 2].map(|i| RowField::F64(centre[i]));
                 let [x, y, z] = place;
-                rows.push(&[x, y, z, Field::Text(state.name().into()), Field::I32(hits.into())]);
+                rows.push(&[x, y, z, RowField::Text(state.name().into()), RowField::I32(hits.into())]);
             }
         })?;
         Ok(SqlValue::Null)
@@ -137,8 +137,8 @@ sql_functions! {
         let unknown = if of_model { Some(0) } else { rest };
         let voxels = [Some(tally.occupied), Some(tally.ambiguous), Some(empty), unknown];
         let volume = occupancy.grid().voxel_volume();
-        let counts = voxels.map(|n| Field::or_null(n, |n| Field::I64(n as i64)));
-        let volumes = voxels.map(|n| Field::or_null(n, |n| Field::F64(n as f64 * volume)));
+        let counts = voxels.map(|n| RowField::or_null(n, |n| RowField::I64(n as i64)));
+        let volumes = voxels.map(|n| RowField::or_null(n, |n| RowField::F64(n as f64 * volume)));
         Ok(SqlValue::Row(counts.into_iter().chain(volumes).collect()))
     }
 

@@ -7,7 +7,7 @@ use std::cmp::Ordering;
 use asbuilt_core::geometry::Solid;
 use asbuilt_core::scan::{Patch, PatchHeader};
 use asbuilt_core::verify::Evidence;
-use asbuilt_core::voxel::{Change, Occupancy};
+use asbuilt_core::voxel::{Occupancy, VoxelChange};
 use asbuilt_core::{Budget, Error, Result};
 
 use crate::pg::{Backend, Compared, SqlValue, Varlena, sql_functions};
@@ -29,7 +29,7 @@ fn current(bytes: &[u8]) -> Result<Cow<'_, [u8]>> {
         b'S' if version < Solid::VERSION => Solid::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
         b'E' if version < Evidence::VERSION => Evidence::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
         b'O' if version < Occupancy::VERSION => Occupancy::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
-        b'C' if version < Change::VERSION => Change::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
+        b'C' if version < VoxelChange::VERSION => VoxelChange::from_bytes(bytes, &Backend)?.to_bytes(&Backend)?.into(),
         _ => bytes.into(),
     })
 }

@@ -8,10 +8,10 @@ use asbuilt_core::voxel::TileHeader;
 
 use super::scan::ScanArg;
 use super::solid::SolidArg;
-use crate::pg::{SqlValue, Tile, Varlena, sql_functions};
+use crate::pg::{AnyTile, SqlValue, Varlena, sql_functions};
 
 /// An occupancy or a change.
-pub type TileArg<'a> = Varlena<'a, Tile>;
+pub type TileArg<'a> = Varlena<'a, AnyTile>;
 
 /// Standard deviations by which a point or line is grown: searches within up to this many are served by an index.
 pub const INDEX_SIGMAS: f64 = 5.0;

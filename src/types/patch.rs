@@ -6,7 +6,7 @@ use asbuilt_core::uncertain::UncertainPose;
 use asbuilt_core::{Error, Result};
 
 use super::scan::ScanArg;
-use crate::pg::{Backend, Field, ScanArray, SqlValue, sql_functions};
+use crate::pg::{Backend, RowField, ScanArray, SqlValue, sql_functions};
 
 fn or_null(patch: Option<Patch>) -> Result<SqlValue> {
     Ok(patch.map_or(SqlValue::Null, |p| SqlValue::Bytes(p.to_bytes())))
@@ -14,21 +14,21 @@ fn or_null(patch: Option<Patch>) -> Result<SqlValue> {
 
 /// Every beam of a patch: origin, return, direction, range, intensity, colour. What did not return has
 /// a direction only.
-pub fn beams(patch: &ScanArg, mut each: impl FnMut([Field; 6])) -> Result<()> {
+pub fn beams(patch: &ScanArg, mut each: impl FnMut([RowField; 6])) -> Result<()> {
     let (header, content) = Patch::content_of(patch.bytes())?;
     let has_rays = header.origins() != Origins::Unknown;
     for (i, b) in content.beams.iter().enumerate() {
         let range = b.offset.norm();
-        let when = |there: bool, field: Field| if there { field } else { Field::Null };
+        let when = |there: bool, field: RowField| if there { field } else { RowField::Null };
         let intensity = content.intensity.as_ref().filter(|_| b.returned);
         let colour = content.colour.as_ref().filter(|_| b.returned);
         each([
-            when(has_rays, Field::Vector((header.origin + content.start(i)).into())),
-            when(b.returned, Field::Vector((header.origin + content.end(i)).into())),
-            when(has_rays && range > 0.0, Field::Vector((b.offset / range).into())),
-            when(has_rays && b.returned, Field::F64(range)),
-            Field::or_null(intensity, |p| Field::I32(p[i].into())),
-            Field::or_null(colour, |p| Field::I32Array(p[i].map(i32::from).to_vec())),
+            when(has_rays, RowField::Vector((header.origin + content.start(i)).into())),
+            when(b.returned, RowField::Vector((header.origin + content.end(i)).into())),
+            when(has_rays && range > 0.0, RowField::Vector((b.offset / range).into())),
+            when(has_rays && b.returned, RowField::F64(range)),
+            RowField::or_null(intensity, |p| RowField::I32(p[i].into())),
+            RowField::or_null(colour, |p| RowField::I32Array(p[i].map(i32::from).to_vec())),
         ]);
     }
     Ok(())
@@ -38,15 +38,15 @@ sql_functions! {
     fn ab_scan_cone(patch: ScanArg) {
         let h = patch.header()?;
         if h.origins() != Origins::One {
-            return Ok(SqlValue::Row(vec![Field::Null, Field::Null]));
+            return Ok(SqlValue::Row(vec![RowField::Null, RowField::Null]));
         }
-        Ok(SqlValue::Row(vec![Field::Vector(h.cone.axis.into()), Field::F64(h.cone.half_angle)]))
+        Ok(SqlValue::Row(vec![RowField::Vector(h.cone.axis.into()), RowField::F64(h.cone.half_angle)]))
     }
 
     fn ab_scan_range(patch: ScanArg) {
         let h = patch.header()?;
         let known = h.returns > 0 && h.origins() != Origins::Unknown;
-        let [nearest, farthest] = h.range.map(|r| if known { Field::F64(f64::from(r)) } else { Field::Null });
+        let [nearest, farthest] = h.range.map(|r| if known { RowField::F64(f64::from(r)) } else { RowField::Null });
         Ok(SqlValue::Row(vec![nearest, farthest]))
     }
 
@@ -77,7 +77,7 @@ sql_functions! {
 
     fn ab_scan_retile(rows: Rows; patches: ScanArray) {
         for patch in Patch::retiled(&patches.elements("the patches")?, &Backend)? {
-            rows.push(&[Field::Bytes(patch.to_bytes())]);
+            rows.push(&[RowField::Bytes(patch.to_bytes())]);
         }
         Ok(SqlValue::Null)
     }

@@ -7,10 +7,10 @@ use asbuilt_core::verify::StationOrigin;
 use super::evidence::EvidenceArg;
 use super::mass_bytes;
 use super::summary::question;
-use crate::pg::{Account, Backend, Field, SqlValue, sql_functions};
+use crate::pg::{Account, Backend, RowField, SqlValue, sql_functions};
 
-fn vector(v: &Vec3) -> Field {
-    Field::Vector((*v).into())
+fn vector(v: &Vec3) -> RowField {
+    RowField::Vector((*v).into())
 }
 
 sql_functions! {
@@ -23,10 +23,10 @@ sql_functions! {
             rows.push(&[
                 vector(position),
                 vector(normal),
-                Field::Fixed(mass_bytes(&b.mass)),
-                Field::or_null(b.deviation, |d| Field::F64(d.0)),
-                Field::or_null(b.deviation, |d| Field::F64(d.1)),
-                Field::I32(b.beams.min(i32::MAX as u32) as i32),
+                RowField::Fixed(mass_bytes(&b.mass)),
+                RowField::or_null(b.deviation, |d| RowField::F64(d.0)),
+                RowField::or_null(b.deviation, |d| RowField::F64(d.1)),
+                RowField::I32(b.beams.min(i32::MAX as u32) as i32),
             ]);
         })?;
         Ok(SqlValue::Null)
@@ -38,14 +38,14 @@ sql_functions! {
         for f in e.faces(&question, &Backend)? {
             rows.push(&[
                 vector(&f.normal),
-                Field::I64(f.counts.samples as i64),
-                Field::I64(f.counts.seen as i64),
-                Field::I64(f.counts.confirmed as i64),
-                Field::I64(f.counts.refuted as i64),
-                Field::I64(f.counts.open() as i64),
-                Field::I64(f.counts.pierced as i64),
-                Field::or_null(f.deviation, |d| Field::F64(d.0)),
-                Field::or_null(f.deviation, |d| Field::F64(d.1)),
+                RowField::I64(f.counts.samples as i64),
+                RowField::I64(f.counts.seen as i64),
+                RowField::I64(f.counts.confirmed as i64),
+                RowField::I64(f.counts.refuted as i64),
+                RowField::I64(f.counts.open() as i64),
+                RowField::I64(f.counts.pierced as i64),
+                RowField::or_null(f.deviation, |d| RowField::F64(d.0)),
+                RowField::or_null(f.deviation, |d| RowField::F64(d.1)),
             ]);
         }
         Ok(SqlValue::Null)
@@ -55,8 +55,8 @@ sql_functions! {
         let Some(evidence) = evidence else { return Ok(SqlValue::Null) };
         let e = evidence.read()?;
         for c in e.contributions(&Backend)? {
-            let origin = if let StationOrigin::At(origin) = &c.place { vector(origin) } else { Field::Null };
-            rows.push(&[Field::I64(c.station), origin, Field::I64(c.seen as i64), Field::I64(c.added as i64)]);
+            let origin = if let StationOrigin::At(origin) = &c.place { vector(origin) } else { RowField::Null };
+            rows.push(&[RowField::I64(c.station), origin, RowField::I64(c.seen as i64), RowField::I64(c.added as i64)]);
         }
         Ok(SqlValue::Null)
     }

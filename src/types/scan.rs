@@ -1,7 +1,7 @@
 //! `ab_scan`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchHeader, PatchSpec, check_count};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchHeader, PatchSpec, Spacing, check_count};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
@@ -23,7 +23,7 @@ impl ScanArg<'_> {
 }
 
 /// What a patch is made from, beside its points.
-struct Given<'a> {
+struct PatchOptions<'a> {
     station: i64,
     quantum: f64,
     intensity: Option<I32Array<'a>>,
@@ -36,7 +36,7 @@ fn from_arrays(
     origin: &F64Array,
     points: &F64Array,
     step: Option<f64>,
-    given: &Given,
+    given: &PatchOptions,
     no_return: Option<F64Array>,
 ) -> Result<Patch> {
     let (origins, starts) = origins(origin)?;
@@ -63,8 +63,8 @@ fn from_arrays(
         }
         content.extend_without_return(directions.into_iter().map(Vec3::from));
     }
-    let step = step.unwrap_or_else(|| content.step(origins));
-    Patch::pack(&PatchSpec { origins, station, origin, step, quantum }, &content)
+    let spacing = step.map_or_else(|| content.spacing(origins), Spacing::Angle);
+    Patch::pack(&PatchSpec { origins, station, origin, spacing, quantum }, &content)
 }
 
 /// One origin, or as many as the array has rows; at least one.
@@ -78,7 +78,7 @@ fn origins(array: &F64Array) -> Result<(Origins, Vec<Vec3>)> {
     if starts.is_empty() { Err(Error::Empty { what: "the list of origins" }) } else { Ok((Origins::Each, starts)) }
 }
 
-fn cloud(points: &F64Array, spacing: Option<f64>, given: &Given) -> Result<Patch> {
+fn cloud(points: &F64Array, spacing: Option<f64>, given: &PatchOptions) -> Result<Patch> {
     let points = points.triples("the points")?;
     check_count(points.len())?;
     let points: Vec<Vec3> = points.into_iter().map(Vec3::from).collect();
@@ -87,8 +87,8 @@ fn cloud(points: &F64Array, spacing: Option<f64>, given: &Given) -> Result<Patch
     content.intensity = planes::intensity(given.intensity.as_ref())?;
     content.colour = planes::colour(given.colour.as_ref())?;
     let (origins, station, quantum) = (Origins::Unknown, given.station, given.quantum);
-    let step = spacing.unwrap_or_else(|| content.step(origins));
-    Patch::pack(&PatchSpec { origins, station, origin, step, quantum }, &content)
+    let spacing = spacing.map_or_else(|| content.spacing(origins), Spacing::Distance);
+    Patch::pack(&PatchSpec { origins, station, origin, spacing, quantum }, &content)
 }
 
 sql_functions! {
@@ -114,7 +114,7 @@ sql_functions! {
         origin: F64Array, points: F64Array, step: Option<f64>, station: i64, quantum: f64,
         intensity: Option<I32Array>, colour: Option<I32Array>, no_return: Option<F64Array>,
     ) {
-        let given = Given { station, quantum, intensity, colour };
+        let given = PatchOptions { station, quantum, intensity, colour };
         Ok(SqlValue::Bytes(from_arrays(&origin, &points, step, &given, no_return)?.to_bytes()))
     }
 
@@ -122,7 +122,7 @@ sql_functions! {
         points: F64Array, spacing: Option<f64>, station: i64, quantum: f64,
         intensity: Option<I32Array>, colour: Option<I32Array>,
     ) {
-        let given = Given { station, quantum, intensity, colour };
+        let given = PatchOptions { station, quantum, intensity, colour };
         Ok(SqlValue::Bytes(cloud(&points, spacing, &given)?.to_bytes()))
     }
 

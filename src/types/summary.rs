@@ -5,7 +5,7 @@ use asbuilt_core::verify::{Evidence, Question, Shift, Summary, VerdictRule};
 use asbuilt_core::{Error, Result};
 
 use super::evidence::EvidenceArg;
-use crate::pg::{Account, Backend, Field, SqlValue, sql_functions};
+use crate::pg::{Account, Backend, RowField, SqlValue, sql_functions};
 
 /// The question of the evidence's model, at this level of accuracy and confidence where they are given.
 pub fn question(e: &Evidence, loa: Option<Loa>, confidence: Option<f64>) -> Result<Question> {
@@ -45,34 +45,35 @@ pub fn summary(
 }
 
 /// The columns of `ab_summary` up to the shift.
-pub fn summary_fields(s: &Summary) -> Vec<Field> {
-    let share = |f: fn(&asbuilt_core::verify::Shares) -> f64| Field::or_null(s.shares.as_ref(), |x| Field::F64(f(x)));
+pub fn summary_fields(s: &Summary) -> Vec<RowField> {
+    let share =
+        |f: fn(&asbuilt_core::verify::Shares) -> f64| RowField::or_null(s.shares.as_ref(), |x| RowField::F64(f(x)));
     vec![
-        Field::Text(s.verdict.name().into()),
-        Field::or_null(s.best_loa, Field::Loa),
-        Field::I64(s.samples as i64),
-        Field::F64(s.coverage),
+        RowField::Text(s.verdict.name().into()),
+        RowField::or_null(s.best_loa, RowField::Loa),
+        RowField::I64(s.samples as i64),
+        RowField::F64(s.coverage),
         share(|x| x.confirmed),
         share(|x| x.refuted),
         share(|x| x.open),
         share(|x| x.conflict),
-        Field::or_null(s.deviation, |d| Field::F64(d.0)),
-        Field::or_null(s.deviation, |d| Field::F64(d.1)),
+        RowField::or_null(s.deviation, |d| RowField::F64(d.0)),
+        RowField::or_null(s.deviation, |d| RowField::F64(d.1)),
     ]
 }
 
 /// Offset and standard deviations, three elements each: one is NULL where its axis is not determined, and both arrays
 /// are where none is.
-fn shift_fields(shift: Option<&Shift>) -> [Field; 2] {
+fn shift_fields(shift: Option<&Shift>) -> [RowField; 2] {
     let Some(t) = shift.filter(|t| (0..3).any(|i| t.determines(i))) else {
-        return [Field::Null, Field::Null];
+        return [RowField::Null, RowField::Null];
     };
-    let along = |of: &dyn Fn(usize) -> f64| Field::Axes([0, 1, 2].map(|i| t.determines(i).then(|| of(i))));
+    let along = |of: &dyn Fn(usize) -> f64| RowField::Axes([0, 1, 2].map(|i| t.determines(i).then(|| of(i))));
     [along(&|i| t.vector[i]), along(&|i| t.sd(i))]
 }
 
 /// The columns of `ab_summary`.
-pub fn row(s: &Summary) -> Vec<Field> {
+pub fn row(s: &Summary) -> Vec<RowField> {
     let mut fields = summary_fields(s);
     fields.extend(shift_fields(s.shift.as_ref()));
     fields

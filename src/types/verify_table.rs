@@ -7,7 +7,8 @@ use asbuilt_core::{Budget, Error, Result};
 use super::evidence_model::{ModelArg, model_or_default, parse};
 use super::summary::{row, rule};
 use crate::pg::{
-    Account, Args, Backend, Cell, Column, Field, Query, SqlValue, WorkerPool, for_each_batch, sql_functions,
+    Account, Args, Backend, Query, ResultCell, ResultColumn, RowField, SqlValue, WorkerPool, for_each_batch,
+    sql_functions,
 };
 
 /// Patches that are unpacked at once: about ten megabytes.
@@ -19,7 +20,7 @@ const VERDICTS: usize = 32;
 #[derive(Default)]
 struct Objects {
     /// Id, and whether it has a solid.
-    rows: Vec<(Cell, bool)>,
+    rows: Vec<(ResultCell, bool)>,
     /// Those that have one, in order.
     solids: Vec<(Solid, EvidenceModel)>,
 }
@@ -28,7 +29,11 @@ fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) ->
     let query = Query {
         what: "the query of objects",
         text,
-        columns: &[Column::Integer, Column::Varlena("ab_solid"), Column::Varlena("ab_evidence_model")],
+        columns: &[
+            ResultColumn::Integer,
+            ResultColumn::Varlena("ab_solid"),
+            ResultColumn::Varlena("ab_evidence_model"),
+        ],
         optional: 1,
         expected: "a SELECT of an integer id, an ab_solid and perhaps an ab_evidence_model",
     };
@@ -39,7 +44,7 @@ fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) ->
         let solids = crew.run(|interrupt| {
             crew.threads().map(&rows, |row| {
                 let solid = Solid::from_stored(row[1].bytes().unwrap_or_default(), interrupt)?;
-                let own = row.get(2).and_then(Cell::bytes).map(parse).transpose()?;
+                let own = row.get(2).and_then(ResultCell::bytes).map(parse).transpose()?;
                 Ok((solid, own.unwrap_or(*model)))
             })
         })?;
@@ -55,7 +60,7 @@ fn absorb_scans(call: &Args, text: &str, verifier: &mut Verifier, crew: &WorkerP
     let query = Query {
         what: "the query of scans",
         text,
-        columns: &[Column::Varlena("ab_scan")],
+        columns: &[ResultColumn::Varlena("ab_scan")],
         optional: 0,
         expected: "a SELECT of one column of ab_scan",
     };
@@ -99,14 +104,14 @@ sql_functions! {
                 crew.threads().map(&due, |e| verdict(e, &rule, keep, interrupt))
             })?.into_iter();
             for (id, has_solid) in rows {
-                let id = if let Cell::Integer(id) = id { Field::I64(*id) } else { Field::Null };
+                let id = if let ResultCell::Integer(id) = id { RowField::I64(*id) } else { RowField::Null };
                 let mut fields = vec![id];
                 match has_solid.then(|| verdicts.next()).flatten() {
                     Some((summary, bytes)) => {
-                        fields.push(Field::or_null(bytes, Field::Bytes));
+                        fields.push(RowField::or_null(bytes, RowField::Bytes));
                         fields.extend(row(&summary));
                     }
-                    None => fields.resize(out.width(), Field::Null),
+                    None => fields.resize(out.width(), RowField::Null),
                 }
                 out.push(&fields);
             }

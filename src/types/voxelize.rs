@@ -5,7 +5,7 @@ use asbuilt_core::voxel::{FillRule, Grid, VoxelAccuracy, VoxelSet};
 
 use super::occupancy::occupancy_ret;
 use super::solid::SolidArg;
-use crate::pg::{Account, Backend, Field, SqlValue, sql_functions};
+use crate::pg::{Account, Backend, RowField, SqlValue, sql_functions};
 
 sql_functions! {
     on Account::Grid;
@@ -19,7 +19,7 @@ sql_functions! {
 
     fn ab_voxel_accuracy(voxel: f64) {
         let a = VoxelAccuracy::of(voxel)?;
-        let levels = [a.absolute, a.relative, a.relative_linear].map(|l| Field::or_null(l, Field::Loa));
-        Ok(SqlValue::Row([Field::F64(a.max_error)].into_iter().chain(levels).collect()))
+        let levels = [a.absolute, a.relative, a.relative_linear].map(|l| RowField::or_null(l, RowField::Loa));
+        Ok(SqlValue::Row([RowField::F64(a.max_error)].into_iter().chain(levels).collect()))
     }
 }

@@ -18,16 +18,16 @@ pub struct Packed {
 }
 
 /// [`Packed`] as plain numbers, between processes.
-type Numbers = ([u64; 3], [[f64; 3]; 2]);
+type PackedNumbers = ([u64; 3], [[f64; 3]; 2]);
 
 impl Packed {
     pub fn to_bytes(self) -> Result<Vec<u8>> {
-        let numbers: Numbers = ([self.beams, self.no_returns, self.too_near], [self.points.min, self.points.max]);
+        let numbers: PackedNumbers = ([self.beams, self.no_returns, self.too_near], [self.points.min, self.points.max]);
         Ok(postcard::to_stdvec(&numbers)?)
     }
 
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
-        let ([beams, no_returns, too_near], [min, max]): Numbers = postcard::from_bytes(bytes)?;
+        let ([beams, no_returns, too_near], [min, max]): PackedNumbers = postcard::from_bytes(bytes)?;
         Ok(Self { beams, no_returns, too_near, points: Aabb { min, max } })
     }
 }
@@ -49,7 +49,7 @@ pub fn pack(
     let (origin, quantum) = (scan.anchor, Patch::QUANTUM_M);
     let encode = |tile: &Vec<u32>| {
         let own = scan.content.select(tile);
-        Patch::pack(&PatchSpec { origins, station, origin, step: own.step(origins), quantum }, &own)
+        Patch::pack(&PatchSpec { origins, station, origin, spacing: own.spacing(origins), quantum }, &own)
     };
     let tiles = scan.content.cut(origins, NEVER)?;
     // In batches, so that the packed patches of a large scan are not all in memory at once.

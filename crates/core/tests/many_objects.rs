@@ -2,7 +2,7 @@
 
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec, Spacing};
 use asbuilt_core::verify::{
     Collector, Evidence, EvidenceModel, IntensityNoise, Threads, Verdict, VerdictRule, Verifier,
 };
@@ -22,7 +22,8 @@ fn patches(
         let own = part * 4096..(part + 1) * 4096;
         let intensity = intensity.map(|of| own.clone().map(of).collect());
         let content = Beams { beams: beams[own].to_vec(), intensity, ..Beams::default() };
-        let setting = PatchSpec { origins: Origins::One, station, origin, step: STEP, quantum: 1e-4 };
+        let setting =
+            PatchSpec { origins: Origins::One, station, origin, spacing: Spacing::Angle(STEP), quantum: 1e-4 };
         Patch::pack(&setting, &content).unwrap().to_bytes()
     };
     (0..4).map(pack).collect()

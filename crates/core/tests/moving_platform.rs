@@ -4,7 +4,7 @@
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec, Spacing};
 use asbuilt_core::verify::{Collector, EvidenceModel, Summary, Verdict, VerdictRule};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -37,7 +37,8 @@ fn drive(at: f64) -> Beams {
 }
 
 fn judged(content: &Beams, origins: Origins, origin: Vec3) -> Summary {
-    let setting = PatchSpec { origins, station: 7, origin, step: STEP, quantum: Patch::QUANTUM_M };
+    let setting =
+        PatchSpec { origins, station: 7, origin, spacing: Spacing::of(origins, STEP), quantum: Patch::QUANTUM_M };
     let mut c = Collector::new(&wall(), EvidenceModel::default(), NEVER).unwrap();
     let all: Vec<u32> = (0..content.len() as u32).collect();
     for part in all.chunks(4000) {
@@ -73,8 +74,9 @@ fn both_sides_of_an_open_surface_agree() {
         for (start, beam) in content.starts.as_mut().unwrap().iter_mut().zip(&mut content.beams) {
             (start.x, beam.offset.x) = (start.x * side, beam.offset.x * side);
         }
+        let spacing = Spacing::Angle(STEP);
         let setting =
-            PatchSpec { origins: Origins::Each, station: 7, origin: BASE, step: STEP, quantum: Patch::QUANTUM_M };
+            PatchSpec { origins: Origins::Each, station: 7, origin: BASE, spacing, quantum: Patch::QUANTUM_M };
         for part in (0..content.len() as u32).collect::<Vec<_>>().chunks(4000) {
             c.absorb(&Patch::pack(&setting, &content.select(part)).unwrap().to_bytes(), NEVER).unwrap();
         }

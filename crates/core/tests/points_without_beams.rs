@@ -3,7 +3,7 @@
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec, Spacing};
 use asbuilt_core::uncertain::UncertainPoint;
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind, Summary, Verdict, VerdictRule};
 use nalgebra::Matrix3;
@@ -37,7 +37,13 @@ fn from_cloud(at: f64, model: EvidenceModel) -> Summary {
     let mut c = Collector::new(&wall(), model, NEVER).unwrap();
     for part in cloud(at).chunks(4000) {
         let origin = part[0].map(f64::round);
-        let setting = PatchSpec { origins: Origins::Unknown, station: 7, origin, step: 0.01, quantum: 1e-4 };
+        let setting = PatchSpec {
+            origins: Origins::Unknown,
+            station: 7,
+            origin,
+            spacing: Spacing::Distance(0.01),
+            quantum: 1e-4,
+        };
         let beams = part.iter().map(|p| Beam { offset: p - origin, returned: true }).collect();
         let patch = Patch::pack(&setting, &Beams::of(beams)).unwrap();
         c.absorb(&patch.to_bytes(), NEVER).unwrap();

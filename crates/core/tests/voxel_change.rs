@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::scan::{Beam, Patch};
-use asbuilt_core::voxel::{Change, ChangeClass, ChangeSettings, FillRule, Grid, Occupancy, VoxelSet, VoxelState};
+use asbuilt_core::voxel::{ChangeClass, ChangeSettings, FillRule, Grid, Occupancy, VoxelChange, VoxelSet, VoxelState};
 use proptest::prelude::*;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -89,7 +89,7 @@ fn classes_are_those_of_brute_force() {
     let mut met = HashSet::new();
     for threshold in [1, 3, 10] {
         for tolerance in [0.0, 0.02, 0.08] {
-            let change = Change::between(&old, &new, ChangeSettings { threshold, tolerance }, NEVER).unwrap();
+            let change = VoxelChange::between(&old, &new, ChangeSettings { threshold, tolerance }, NEVER).unwrap();
             let mut counts = [0; 5];
             for &voxel in &voxels {
                 let expected = class(&k_old, &k_new, voxel, threshold, tolerance / 0.05);
@@ -103,7 +103,7 @@ fn classes_are_those_of_brute_force() {
             assert_eq!(tally.voxels, counts);
             assert!(tally.total() > 300 / u64::from(threshold).pow(2), "{threshold}: {tally:?}");
             let bytes = change.to_bytes(NEVER).unwrap();
-            assert_eq!(Change::from_bytes(&bytes, NEVER).unwrap(), change);
+            assert_eq!(VoxelChange::from_bytes(&bytes, NEVER).unwrap(), change);
         }
     }
     assert_eq!(met.len(), 5, "every class occurs");
@@ -238,7 +238,7 @@ fn a_model_against_an_epoch() {
     let model = VoxelSet::of(&solid, &grid, FillRule::Centre, NEVER).unwrap().into_model(grid, NEVER).unwrap();
     assert_eq!(model.state([0, 0, 0], 3), VoxelState::Empty);
     let settings = ChangeSettings { threshold: 3, tolerance: 0.03 };
-    let change = Change::between(&model, &seen, settings, NEVER).unwrap();
+    let change = VoxelChange::between(&model, &seen, settings, NEVER).unwrap();
     let tally = change.tally(None, 0.0, NEVER).unwrap();
     assert!(
         tally.of(ChangeClass::Confirmed) > 200
@@ -254,7 +254,7 @@ fn a_model_against_an_epoch() {
     let air = Solid::cuboid([0.6, -0.3, -0.2], [0.9, 0.3, 0.2]).unwrap();
     let model = VoxelSet::of(&air, &grid, FillRule::Centre, NEVER).unwrap();
     let drawn = model.len();
-    let change = Change::between(&model.into_model(grid, NEVER).unwrap(), &seen, settings, NEVER).unwrap();
+    let change = VoxelChange::between(&model.into_model(grid, NEVER).unwrap(), &seen, settings, NEVER).unwrap();
     let inside = VoxelSet::of(&air, &grid, FillRule::Cover, NEVER).unwrap();
     let tally = change.tally(Some(&inside), 0.0, NEVER).unwrap();
     assert!(
@@ -267,10 +267,10 @@ fn a_model_against_an_epoch() {
 fn lattices_must_agree() {
     let [a, b] = [0.05, 0.04].map(|voxel| Occupancy::new(Grid::new(voxel, Grid::EVERYWHERE, 0.01, 1.0).unwrap()));
     let settings = ChangeSettings { threshold: 3, tolerance: 0.0 };
-    let e = Change::between(&a, &b, settings, NEVER).unwrap_err();
+    let e = VoxelChange::between(&a, &b, settings, NEVER).unwrap_err();
     assert!(e.to_string().contains("0.05 m and of 0.04 m"), "{e}");
     for tolerance in [-0.01, f64::NAN, 0.5] {
-        assert!(Change::between(&a, &a, ChangeSettings { threshold: 3, tolerance }, NEVER).is_err());
+        assert!(VoxelChange::between(&a, &a, ChangeSettings { threshold: 3, tolerance }, NEVER).is_err());
     }
     assert!(ChangeSettings::threshold(0).is_err() && ChangeSettings::threshold(256).is_err());
 }
@@ -300,7 +300,8 @@ proptest! {
         voxels.sort();
         voxels.dedup();
         let nothing = Occupancy::of_model(grid);
-        let change = Change::between(&nothing, &model, ChangeSettings { threshold: 1, tolerance: 0.0 }, NEVER).unwrap();
+        let settings = ChangeSettings { threshold: 1, tolerance: 0.0 };
+        let change = VoxelChange::between(&nothing, &model, settings, NEVER).unwrap();
         let mut of: Vec<usize> = (0..voxels.len()).collect();
         for i in 0..voxels.len() {
             for j in 0..i {

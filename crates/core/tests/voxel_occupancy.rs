@@ -1,7 +1,7 @@
 //! Occupancy against brute force: every voxel against every beam, by clipping, sharing no code with the carver.
 
 use asbuilt_core::geometry::{Aabb, Vec3};
-use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec, Spacing};
 use asbuilt_core::voxel::{Grid, Occupancy, VoxelState};
 use asbuilt_core::{AtOnce, Error, NEVER};
 use proptest::prelude::*;
@@ -44,7 +44,8 @@ fn scene(seed: u64, centre: Vec3, patches: usize) -> Vec<Vec<u8>> {
         let moving = k % 4 == 3;
         let starts = moving.then(|| (0..beams.len()).map(|_| around(&mut rng, 0.5)).collect());
         let origins = if moving { Origins::Each } else { Origins::One };
-        let setting = PatchSpec { origins, station: 1, origin, step: 0.01, quantum: Patch::QUANTUM_M };
+        let setting =
+            PatchSpec { origins, station: 1, origin, spacing: Spacing::of(origins, 0.01), quantum: Patch::QUANTUM_M };
         out.push(Patch::pack(&setting, &Beams { starts, ..Beams::of(beams) }).unwrap().to_bytes());
     }
     out

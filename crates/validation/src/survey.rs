@@ -94,8 +94,8 @@ fn pack(scan: &SimulatedScan, station: i64) -> Result<Vec<Vec<u8>>> {
     let content = Beams::of(beams);
     let patch = |tile: &Vec<u32>| {
         let (own, origins) = (content.select(tile), Origins::One);
-        let step = own.step(origins);
-        let setting = PatchSpec { origins, station, origin: scan.registered, step, quantum: Patch::QUANTUM_M };
+        let spacing = own.spacing(origins);
+        let setting = PatchSpec { origins, station, origin: scan.registered, spacing, quantum: Patch::QUANTUM_M };
         Ok(Patch::pack(&setting, &own)?.to_bytes())
     };
     content.cut(Origins::One, NEVER)?.par_iter().map(patch).collect()

@@ -5,10 +5,10 @@ use asbuilt_core::uncertain::distance::{self, UncertainDistance};
 use asbuilt_core::uncertain::{UncertainLine, UncertainPlane, UncertainPoint, foot, intersect, join};
 
 use super::ret;
-use crate::pg::{Field, SqlValue, sql_functions};
+use crate::pg::{RowField, SqlValue, sql_functions};
 
 fn row(d: &UncertainDistance) -> Result<SqlValue> {
-    Ok(SqlValue::Row(vec![Field::F64(d.distance), Field::F64(d.sd)]))
+    Ok(SqlValue::Row(vec![RowField::F64(d.distance), RowField::F64(d.sd)]))
 }
 
 sql_functions! {

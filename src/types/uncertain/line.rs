@@ -4,7 +4,7 @@ use asbuilt_core::geometry::Vec3;
 use asbuilt_core::uncertain::{UncertainLine, UncertainPoint, join};
 
 use super::ret;
-use crate::pg::{F64Array, Field, SqlValue, sql_functions};
+use crate::pg::{F64Array, RowField, SqlValue, sql_functions};
 
 sql_functions! {
     fn ab_line_make(start: F64Array, end: F64Array, covariance: Option<F64Array>) {
@@ -31,8 +31,8 @@ sql_functions! {
         }
         let (l, covariance) = line.plucker(&reference);
         Ok(SqlValue::Row(vec![
-            Field::Array(l.iter().copied().collect(), vec![6]),
-            Field::Array(covariance.iter().copied().collect(), vec![6, 6]),
+            RowField::Array(l.iter().copied().collect(), vec![6]),
+            RowField::Array(covariance.iter().copied().collect(), vec![6, 6]),
         ]))
     }
 }

@@ -5,7 +5,7 @@ use asbuilt_core::geometry::Vec3;
 use asbuilt_core::uncertain::{UncertainLine, UncertainPoint};
 
 use super::ret;
-use crate::pg::{F64Array, Field, SqlValue, sql_functions};
+use crate::pg::{F64Array, RowField, SqlValue, sql_functions};
 use crate::types::box_bytes;
 use crate::types::overlap::INDEX_SIGMAS;
 
@@ -34,7 +34,7 @@ sql_functions! {
 
     fn ab_point_ellipsoid(rows: Rows; point: UncertainPoint, probability: f64) {
         for (half_axis, direction) in point.ellipsoid(probability)? {
-            rows.push(&[Field::F64(half_axis), Field::Vector(direction.into())]);
+            rows.push(&[RowField::F64(half_axis), RowField::Vector(direction.into())]);
         }
         Ok(SqlValue::Null)
     }

@@ -4,10 +4,10 @@ use asbuilt_core::uncertain::hypothesis::{self, HypothesisTest};
 use asbuilt_core::uncertain::{UncertainLine, UncertainPlane, UncertainPoint};
 use asbuilt_core::{Error, Result};
 
-use crate::pg::{Field, SqlValue, sql_functions};
+use crate::pg::{RowField, SqlValue, sql_functions};
 
 fn row(t: &HypothesisTest) -> Result<SqlValue> {
-    Ok(SqlValue::Row(vec![Field::F64(t.statistic), Field::I32(t.dof as i32), Field::F64(t.p_value)]))
+    Ok(SqlValue::Row(vec![RowField::F64(t.statistic), RowField::I32(t.dof as i32), RowField::F64(t.p_value)]))
 }
 
 fn holds(t: &HypothesisTest, significance: f64) -> Result<SqlValue> {

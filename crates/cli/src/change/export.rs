@@ -12,7 +12,7 @@ use las::{Builder, Color, Point, Transform, Vector, Writer};
 use ply_rs_bw::ply::{Addable, ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult};
 use ply_rs_bw::ply::{PropertyDef, PropertyType, ScalarType};
 
-use super::tiles::Tile;
+use super::tiles::ChangeTile;
 
 /// Red, green, blue.
 fn colour(class: ChangeClass) -> [u8; 3] {
@@ -27,15 +27,15 @@ fn colour(class: ChangeClass) -> [u8; 3] {
 
 /// The formats, by the file's extension.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
+enum VoxelFileFormat {
     Ply,
     Las,
 }
 
-fn kind(path: &Path) -> Result<Kind> {
+fn kind(path: &Path) -> Result<VoxelFileFormat> {
     match path.extension().map(|e| e.to_string_lossy().to_lowercase()).as_deref() {
-        Some("ply") => Ok(Kind::Ply),
-        Some("las" | "laz") => Ok(Kind::Las),
+        Some("ply") => Ok(VoxelFileFormat::Ply),
+        Some("las" | "laz") => Ok(VoxelFileFormat::Las),
         _ => bail!("{}: an export is .ply, .las or .laz", path.display()),
     }
 }
@@ -46,7 +46,7 @@ pub fn check(path: &Path) -> Result<()> {
 }
 
 /// Writes the centres of all voxels of the comparison, whose number is given; returns how many were written.
-pub fn write(tiles: &[Tile], count: u64, path: &Path) -> Result<u64> {
+pub fn write(tiles: &[ChangeTile], count: u64, path: &Path) -> Result<u64> {
     // A file that is cut short is not left behind under the name asked for.
     let part = PathBuf::from(format!("{}.part", path.display()));
     let written = write_all(tiles, kind(path)?, path, &part, count);
@@ -57,12 +57,12 @@ pub fn write(tiles: &[Tile], count: u64, path: &Path) -> Result<u64> {
     written.map(|()| count)
 }
 
-fn write_all(tiles: &[Tile], kind: Kind, path: &Path, part: &Path, count: u64) -> Result<()> {
+fn write_all(tiles: &[ChangeTile], kind: VoxelFileFormat, path: &Path, part: &Path, count: u64) -> Result<()> {
     let file = File::create(part).with_context(|| format!("cannot write {}", part.display()))?;
     // LAS counts steps of 0.1 mm in 32 bits: from a round coordinate nearby.
     let corner = tiles.iter().fold(Aabb::EMPTY, |a, t| a.union(&t.bounds)).min;
     let offset = corner.map(|c| if c.is_finite() { c.floor() } else { 0.0 });
-    let mut sink = Sink::new(kind, path, BufWriter::with_capacity(1 << 20, file), count, offset)?;
+    let mut sink = VoxelWriter::new(kind, path, BufWriter::with_capacity(1 << 20, file), count, offset)?;
     for tile in tiles {
         let change = tile.change()?;
         let mut result = Ok(());
@@ -76,21 +76,21 @@ fn write_all(tiles: &[Tile], kind: Kind, path: &Path, part: &Path, count: u64) -
     sink.finish()
 }
 
-enum Sink {
-    Ply { out: BufWriter<File>, writer: ply_rs_bw::writer::Writer<Voxel>, vertex: ElementDef },
+enum VoxelWriter {
+    Ply { out: BufWriter<File>, writer: ply_rs_bw::writer::Writer<VoxelPoint>, vertex: ElementDef },
     Las(Writer<BufWriter<File>>),
 }
 
-impl Sink {
-    fn new(kind: Kind, path: &Path, mut out: BufWriter<File>, count: u64, offset: [f64; 3]) -> Result<Self> {
+impl VoxelWriter {
+    fn new(kind: VoxelFileFormat, path: &Path, mut out: BufWriter<File>, count: u64, offset: [f64; 3]) -> Result<Self> {
         match kind {
-            Kind::Ply => {
+            VoxelFileFormat::Ply => {
                 let (writer, header) = (ply_rs_bw::writer::Writer::new(), header(count));
                 writer.write_header(&mut out, &header)?;
                 let vertex = header.elements["vertex"].clone();
                 Ok(Self::Ply { out, writer, vertex })
             }
-            Kind::Las => {
+            VoxelFileFormat::Las => {
                 let mut builder = Builder::from((1, 4));
                 builder.point_format = las::point::Format::new(7)?;
                 builder.point_format.is_compressed = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("laz"));
@@ -104,7 +104,7 @@ impl Sink {
     fn push(&mut self, at: &Vec3, class: ChangeClass) -> Result<()> {
         match self {
             Self::Ply { out, writer, vertex } => {
-                writer.write_little_endian_element(out, &Voxel { at: *at, class }, vertex)?;
+                writer.write_little_endian_element(out, &VoxelPoint { at: *at, class }, vertex)?;
             }
             Self::Las(writer) => {
                 let [red, green, blue] = colour(class).map(|c| u16::from(c) * 257);
@@ -150,12 +150,12 @@ fn header(count: u64) -> Header {
 }
 
 /// A voxel as the library asks for it.
-struct Voxel {
+struct VoxelPoint {
     at: Vec3,
     class: ChangeClass,
 }
 
-impl PropertyAccess for Voxel {
+impl PropertyAccess for VoxelPoint {
     fn new() -> Self {
         Self { at: Vec3::zeros(), class: ChangeClass::Unknown }
     }

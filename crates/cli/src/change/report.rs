@@ -4,13 +4,13 @@ use anyhow::Result;
 use asbuilt_core::voxel::ChangeComponent;
 use serde_json::{Map, Value, json};
 
-use super::tally::{Counted, Report};
+use super::tally::{ChangeReport, Counted};
 use crate::output::{Format, Table, rounded};
 
 /// The classes in the order of their columns.
 const CLASSES: [&str; 5] = ["confirmed", "new", "disappeared", "unknown", "ambiguous"];
 
-impl Report {
+impl ChangeReport {
     /// Prints it; as CSV the objects alone.
     pub fn print(&self, format: Format) -> Result<()> {
         match format {

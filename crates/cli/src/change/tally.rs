@@ -2,19 +2,19 @@
 
 use anyhow::Result;
 use asbuilt_core::geometry::{Aabb, Solid};
-use asbuilt_core::voxel::{Change, ChangeClass, ChangeComponent, FillRule, Grid, VoxelSet};
+use asbuilt_core::voxel::{ChangeClass, ChangeComponent, FillRule, Grid, VoxelChange, VoxelSet};
 use asbuilt_core::{AtOnce, NEVER};
 use postgres::{Row, Transaction};
 use rayon::prelude::*;
 
-use super::tiles::Tile;
+use super::tiles::ChangeTile;
 use crate::database::connect::explain;
 use crate::database::names::Names;
 use crate::memory;
 use crate::output::say;
 
 /// What the report is about.
-pub struct Report {
+pub struct ChangeReport {
     pub objects: Vec<Counted>,
     /// Class, component, and the building objects whose boxes it meets.
     pub components: Vec<(&'static str, ChangeComponent, Vec<String>)>,
@@ -40,11 +40,17 @@ pub struct Parts {
     pub gap: Option<f64>,
 }
 
-impl Report {
+impl ChangeReport {
     /// Counts voxels. Those of an object are the ones that it touches, or that lie within the tolerance of these.
-    pub fn of(tx: &mut Transaction, names: &Names, tiles: &[Tile], tolerance: f64, parts: &Parts) -> Result<Self> {
+    pub fn of(
+        tx: &mut Transaction,
+        names: &Names,
+        tiles: &[ChangeTile],
+        tolerance: f64,
+        parts: &Parts,
+    ) -> Result<Self> {
         let mut out = Self { objects: objects(tx, names)?, components: Vec::new(), total: [0; 5], voxel_volume: 0.0 };
-        let mut whole: Option<Change> = None;
+        let mut whole: Option<VoxelChange> = None;
         for tile in tiles {
             let change = tile.change()?;
             out.voxel_volume = change.grid().voxel_volume();
@@ -63,7 +69,7 @@ impl Report {
     }
 
     /// Components need the whole change at once; where that takes too much memory, the objects are still reported.
-    fn find_components(&mut self, whole: &Change, parts: &Parts) -> Result<()> {
+    fn find_components(&mut self, whole: &VoxelChange, parts: &Parts) -> Result<()> {
         let gap = parts.gap.unwrap_or(4.0 * whole.grid().voxel);
         let most = AtOnce(usize::try_from(memory::budget() / 4).unwrap_or(usize::MAX));
         let mut found = Vec::new();
@@ -97,7 +103,7 @@ impl Counted {
     }
 
     /// Adds the object's voxels in a tile.
-    fn count(&mut self, change: &Change, near: &Aabb, tolerance: f64) -> Result<()> {
+    fn count(&mut self, change: &VoxelChange, near: &Aabb, tolerance: f64) -> Result<()> {
         let Some(solid) = self.solid.as_ref().filter(|s| s.bounds().overlaps(near)) else { return Ok(()) };
         let grid = change.grid();
         let grid = Grid { tile: grid.tile.expanded(tolerance + grid.voxel), ..*grid };

@@ -4,7 +4,7 @@
 use anyhow::{Result, bail};
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::voxel::Change;
+use asbuilt_core::voxel::VoxelChange;
 use postgres::Transaction;
 use postgres::types::ToSql;
 
@@ -43,14 +43,14 @@ impl Comparison {
 }
 
 /// The change of a tile, packed as it is stored.
-pub struct Tile {
+pub struct ChangeTile {
     pub bounds: Aabb,
     packed: Vec<u8>,
 }
 
-impl Tile {
-    pub fn change(&self) -> Result<Change> {
-        Ok(Change::from_bytes(&self.packed, NEVER)?)
+impl ChangeTile {
+    pub fn change(&self) -> Result<VoxelChange> {
+        Ok(VoxelChange::from_bytes(&self.packed, NEVER)?)
     }
 }
 
@@ -96,7 +96,7 @@ fn statement(old: Old) -> String {
 }
 
 /// Compares, and returns the changes of all tiles.
-pub fn compare(tx: &mut Transaction, names: &Names, c: &Comparison) -> Result<Vec<Tile>> {
+pub fn compare(tx: &mut Transaction, names: &Names, c: &Comparison) -> Result<Vec<ChangeTile>> {
     let (old, against_model) = match c.old {
         Old::Epoch(n) => (n, false),
         Old::Model => (c.new, true),
@@ -117,7 +117,7 @@ pub fn compare(tx: &mut Transaction, names: &Names, c: &Comparison) -> Result<Ve
         let parameters: [&(dyn ToSql + Sync); 10] =
             [&tile, &wide, &c.voxel, &c.threshold, &c.tolerance, &c.margin, &c.no_return_range, &old, &c.new, &c.exact];
         let row = tx.query_one(&statement, &parameters).map_err(explain)?;
-        out.push(Tile { bounds, packed: row.get(0) });
+        out.push(ChangeTile { bounds, packed: row.get(0) });
         bar.inc(1);
     }
     bar.finish_and_clear();

@@ -7,7 +7,7 @@ use asbuilt_core::voxel::Grid;
 use postgres::IsolationLevel;
 
 use crate::change::export;
-use crate::change::tally::{Parts, Report};
+use crate::change::tally::{ChangeReport, Parts};
 use crate::change::tiles::{Comparison, Old, compare};
 use crate::database::connect::{Database, DatabaseArgs, explain};
 use crate::database::tables;
@@ -99,7 +99,7 @@ pub fn run(args: &ChangeArgs) -> Result<()> {
     let one_view = db.client.build_transaction().read_only(true).isolation_level(IsolationLevel::RepeatableRead);
     let mut tx = one_view.start().map_err(explain)?;
     let tiles = compare(&mut tx, &db.names, &comparison)?;
-    let report = Report::of(&mut tx, &db.names, &tiles, comparison.tolerance(), &Parts { least, gap: args.gap })?;
+    let report = ChangeReport::of(&mut tx, &db.names, &tiles, comparison.tolerance(), &Parts { least, gap: args.gap })?;
     tx.rollback().map_err(explain)?;
     if let Some(path) = &args.export {
         say!("{}: {} voxels", path.display(), count(export::write(&tiles, report.total.iter().sum(), path)?));

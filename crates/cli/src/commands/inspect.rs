@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 
 use super::reading::ReadingArgs;
 use crate::output::{safe, say};
-use crate::read::child::{Event, Reader, ScanHead};
-use crate::read::{self, Form, ifc};
+use crate::read::child::{Event, ReadingProcess, ScanHead};
+use crate::read::{self, FileFormat, ifc};
 use crate::stations::Packed;
 
 #[derive(clap::Args, Debug)]
@@ -29,11 +29,11 @@ pub struct InspectArgs {
     reading: ReadingArgs,
     /// How to print; the keys of JSON are listed in docs/inspect.md
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    format: InspectFormat,
 }
 
 #[derive(clap::ValueEnum, Debug, Clone, Copy, Default, PartialEq, Eq)]
-enum Format {
+enum InspectFormat {
     /// Lines to read
     #[default]
     Table,
@@ -45,8 +45,8 @@ pub fn run(args: &InspectArgs) -> Result<()> {
     args.reading.check()?;
     let found: Vec<Value> = args.files.iter().map(|file| inspected(file, &args.reading)).collect();
     match args.format {
-        Format::Json => println!("{}", serde_json::to_string_pretty(&found)?),
-        Format::Table => found.iter().for_each(print),
+        InspectFormat::Json => println!("{}", serde_json::to_string_pretty(&found)?),
+        InspectFormat::Table => found.iter().for_each(print),
     }
     let failed = found.iter().filter(|f| !f["error"].is_null()).count();
     if failed > 0 {
@@ -60,7 +60,7 @@ fn inspected(file: &Path, reading: &ReadingArgs) -> Value {
     let form = read::form(file);
     let name = form.as_ref().map(|f| f.name()).ok();
     let content = form.and_then(|form| match form {
-        Form::Ifc => model(file, reading).map(|model| json!({ "model": model })),
+        FileFormat::Ifc => model(file, reading).map(|model| json!({ "model": model })),
         _ => scans(file, reading).map(|scans| json!({ "scans": scans })),
     });
     let mut out = json!({ "file": file.display().to_string(), "format": name, "error": null });
@@ -74,7 +74,7 @@ fn inspected(file: &Path, reading: &ReadingArgs) -> Value {
 
 fn scans(file: &Path, reading: &ReadingArgs) -> Result<Vec<Value>> {
     let bar = ProgressBar::hidden();
-    let mut reader = Reader::start(reading.job(file))?;
+    let mut reader = ReadingProcess::start(reading.job(file))?;
     let (mut out, mut open) = (Vec::new(), None);
     while let Some(event) = reader.next(&bar)? {
         match event {

@@ -170,11 +170,11 @@ fn shift_columns(format: Format) -> &'static [&'static str] {
 }
 
 /// Numbers along x, y and z; `None` where the seen faces do not determine one, or any.
-type Axes = Option<Vec<Option<f64>>>;
+type NumbersByAxis = Option<Vec<Option<f64>>>;
 
 /// The rigid offset and its standard deviation under these columns, to a tenth of a millimetre.
-fn shift(format: Format, offset: Axes, sd: Axes) -> Vec<Value> {
-    let rounded = |axes: &Axes| axes.as_ref().map(|a| a.iter().map(|v| rounded(*v, 4)).collect::<Vec<_>>());
+fn shift(format: Format, offset: NumbersByAxis, sd: NumbersByAxis) -> Vec<Value> {
+    let rounded = |axes: &NumbersByAxis| axes.as_ref().map(|a| a.iter().map(|v| rounded(*v, 4)).collect::<Vec<_>>());
     match format {
         Format::Table => {
             let words = |axes: Vec<Option<f64>>, word: fn(f64) -> String| {

@@ -10,7 +10,7 @@ use super::text::lines::encoding;
 
 /// Models and scans.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum FileContents {
     /// A building model.
     Model,
     /// Laser scans or points.
@@ -19,7 +19,7 @@ pub enum Kind {
 
 /// The formats that can be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum FileFormat {
     Ifc,
     E57,
     /// LAS and LAZ.
@@ -31,7 +31,7 @@ pub enum Form {
     Text,
 }
 
-impl Form {
+impl FileFormat {
     /// The name that people use.
     pub fn name(self) -> &'static str {
         match self {
@@ -46,38 +46,38 @@ impl Form {
     }
 }
 
-const ENDINGS: [(&str, Form); 12] = [
-    ("ifc", Form::Ifc),
-    ("e57", Form::E57),
-    ("las", Form::Las),
-    ("laz", Form::Las),
-    ("ply", Form::Ply),
-    ("pcd", Form::Pcd),
-    ("ptx", Form::Ptx),
-    ("pts", Form::Text),
-    ("xyz", Form::Text),
-    ("asc", Form::Text),
-    ("txt", Form::Text),
-    ("csv", Form::Text),
+const ENDINGS: [(&str, FileFormat); 12] = [
+    ("ifc", FileFormat::Ifc),
+    ("e57", FileFormat::E57),
+    ("las", FileFormat::Las),
+    ("laz", FileFormat::Las),
+    ("ply", FileFormat::Ply),
+    ("pcd", FileFormat::Pcd),
+    ("ptx", FileFormat::Ptx),
+    ("pts", FileFormat::Text),
+    ("xyz", FileFormat::Text),
+    ("asc", FileFormat::Text),
+    ("txt", FileFormat::Text),
+    ("csv", FileFormat::Text),
 ];
 
 /// Tells models from scans.
-pub fn kind(path: &Path) -> Result<Kind> {
-    Ok(if form(path)? == Form::Ifc { Kind::Model } else { Kind::Scan })
+pub fn kind(path: &Path) -> Result<FileContents> {
+    Ok(if form(path)? == FileFormat::Ifc { FileContents::Model } else { FileContents::Scan })
 }
 
 /// What a file is. Files that begin like no known format are classified by their ending, whose reader says what is
 /// wrong with them.
-pub fn form(path: &Path) -> Result<Form> {
+pub fn form(path: &Path) -> Result<FileFormat> {
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     let by_name = ENDINGS.iter().find(|(e, _)| *e == ending).map(|(_, form)| *form);
     let mut head = Vec::new();
     let file = File::open(path).with_context(|| format!("{}: cannot open it", path.display()))?;
     file.take(4096).read_to_end(&mut head).with_context(|| format!("{}: cannot read it", path.display()))?;
     match by_content(&head).or(by_name) {
-        Some(Form::Text) if is_ptx(&head) => Ok(Form::Ptx),
+        Some(FileFormat::Text) if is_ptx(&head) => Ok(FileFormat::Ptx),
         Some(form) => Ok(form),
-        None if is_text(&head) => Ok(Form::Text),
+        None if is_text(&head) => Ok(FileFormat::Text),
         None => {
             let known: Vec<&str> = ENDINGS.iter().map(|(e, _)| *e).collect();
             bail!("{}: unknown kind of file \".{ending}\"; known are {}", path.display(), known.join(", "))
@@ -86,16 +86,16 @@ pub fn form(path: &Path) -> Result<Form> {
 }
 
 /// By the marks that binary formats, PLY, PCD and STEP begin with.
-fn by_content(head: &[u8]) -> Option<Form> {
+fn by_content(head: &[u8]) -> Option<FileFormat> {
     let text = encoding(head).decode(head).0;
     let text = text.trim_start();
     let has = |marks: &[&str]| marks.iter().any(|m| text.starts_with(m));
     match head {
-        _ if head.starts_with(b"ASTM-E57") => Some(Form::E57),
-        _ if head.starts_with(b"LASF") => Some(Form::Las),
-        _ if has(&["ply\n", "ply\r"]) => Some(Form::Ply),
-        _ if has(&["# .PCD", "# .pcd"]) || has(&["VERSION "]) && text.contains("FIELDS") => Some(Form::Pcd),
-        _ if has(&["ISO-10303-21"]) || has(&["/*"]) && text.contains("ISO-10303-21") => Some(Form::Ifc),
+        _ if head.starts_with(b"ASTM-E57") => Some(FileFormat::E57),
+        _ if head.starts_with(b"LASF") => Some(FileFormat::Las),
+        _ if has(&["ply\n", "ply\r"]) => Some(FileFormat::Ply),
+        _ if has(&["# .PCD", "# .pcd"]) || has(&["VERSION "]) && text.contains("FIELDS") => Some(FileFormat::Pcd),
+        _ if has(&["ISO-10303-21"]) || has(&["/*"]) && text.contains("ISO-10303-21") => Some(FileFormat::Ifc),
         _ => None,
     }
 }
@@ -120,15 +120,15 @@ mod tests {
     fn content_goes_before_the_name() {
         let ptx = "2\n1\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n1 2 3 0.5\n";
         for (name, content, expected) in [
-            ("a.xyz", "ply\nformat", Some(Form::Ply)),
-            ("a.ply", "\u{feff}ply\r\nformat", Some(Form::Ply)),
-            ("a.txt", "1 2 3\n", Some(Form::Text)),
-            ("a.dat", "1 2 3\n", Some(Form::Text)),
-            ("a", "\u{feff}ISO-10303-21;", Some(Form::Ifc)),
-            ("a.ifc", "/* by us */\nISO-10303-21;", Some(Form::Ifc)),
-            ("a.xyz", ptx, Some(Form::Ptx)),
-            ("a.las", "LASF\x01\x02", Some(Form::Las)),
-            ("a.ifc", "nonsense", Some(Form::Ifc)),
+            ("a.xyz", "ply\nformat", Some(FileFormat::Ply)),
+            ("a.ply", "\u{feff}ply\r\nformat", Some(FileFormat::Ply)),
+            ("a.txt", "1 2 3\n", Some(FileFormat::Text)),
+            ("a.dat", "1 2 3\n", Some(FileFormat::Text)),
+            ("a", "\u{feff}ISO-10303-21;", Some(FileFormat::Ifc)),
+            ("a.ifc", "/* by us */\nISO-10303-21;", Some(FileFormat::Ifc)),
+            ("a.xyz", ptx, Some(FileFormat::Ptx)),
+            ("a.las", "LASF\x01\x02", Some(FileFormat::Las)),
+            ("a.ifc", "nonsense", Some(FileFormat::Ifc)),
             ("a.bin", "\x01\x02\x03", None),
         ] {
             let path = std::env::temp_dir().join(format!("asbuilt-content-{}-{name}", std::process::id()));

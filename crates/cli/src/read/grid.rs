@@ -10,7 +10,7 @@ use asbuilt_core::num::stats::median;
 
 /// A cell of the scan's grid; `None` where nothing returned.
 #[derive(Debug, Clone, Copy)]
-pub struct Cell {
+pub struct GridCell {
     pub row: u32,
     pub column: u32,
     /// Return in the scanner's frame.
@@ -21,7 +21,7 @@ pub struct Cell {
 ///
 /// Empty when the grid does not fit the model of elevation by row and azimuth by column: a wrong direction would
 /// claim empty space where nobody looked.
-pub fn missing_directions(cells: &[Cell]) -> Vec<Vec3> {
+pub fn missing_directions(cells: &[GridCell]) -> Vec<Vec3> {
     let Some(fit) = Fit::of(cells) else { return Vec::new() };
     if !fit.holds(cells) {
         return Vec::new();
@@ -38,8 +38,8 @@ struct Fit {
 }
 
 impl Fit {
-    fn of(cells: &[Cell]) -> Option<Self> {
-        let size = |f: fn(&Cell) -> u32| cells.iter().map(f).max().map(|m| m as usize + 1);
+    fn of(cells: &[GridCell]) -> Option<Self> {
+        let size = |f: fn(&GridCell) -> u32| cells.iter().map(f).max().map(|m| m as usize + 1);
         let (rows, columns) = (size(|c| c.row)?, size(|c| c.column)?);
         if rows < 2 || columns < 2 {
             return None; // a list
@@ -68,14 +68,14 @@ impl Fit {
         })
     }
 
-    fn direction(&self, c: &Cell) -> Option<Vec3> {
+    fn direction(&self, c: &GridCell) -> Option<Vec3> {
         let (azimuth, elevation) = (self.azimuths[c.column as usize]?, self.elevations[c.row as usize]?);
         let flat = elevation.cos();
         Some(Vec3::new(flat * azimuth.cos(), flat * azimuth.sin(), elevation.sin()))
     }
 
     /// Whether the fit predicts the direction of the cells that did return, to half a step of the grid.
-    fn holds(&self, cells: &[Cell]) -> bool {
+    fn holds(&self, cells: &[GridCell]) -> bool {
         let known: Vec<f64> = self.elevations.iter().flatten().copied().collect();
         let steps = known.windows(2).map(|w| (w[1] - w[0]).abs()).filter(|s| *s > 0.0 && *s < PI / 8.0);
         let Some(step) = median(&mut steps.collect::<Vec<_>>()) else { return false };
@@ -97,11 +97,11 @@ mod tests {
 
     #[test]
     fn missing_cells_get_their_direction() {
-        let cells: Vec<Cell> = (0..40 * 300)
+        let cells: Vec<GridCell> = (0..40 * 300)
             .map(|i| (i / 300, i % 300))
             .map(|(row, column)| {
                 let hole = (10..20).contains(&row) && (100..120).contains(&column);
-                Cell { row, column, point: (!hole).then(|| direction(row, column) * (3.0 + f64::from(column % 7))) }
+                GridCell { row, column, point: (!hole).then(|| direction(row, column) * (3.0 + f64::from(column % 7))) }
             })
             .collect();
         let got = missing_directions(&cells);
@@ -112,10 +112,10 @@ mod tests {
 
     #[test]
     fn a_grid_that_is_no_scan_grid_gives_nothing() {
-        let cells: Vec<Cell> = (0..400u32)
+        let cells: Vec<GridCell> = (0..400u32)
             .map(|i| {
                 let p = Vec3::new(f64::from(i * 7 % 13) - 6.0, f64::from(i * 5 % 11) - 5.0, f64::from(i % 9) - 4.0);
-                Cell { row: i / 20, column: i % 20, point: (i % 10 != 0).then_some(p) }
+                GridCell { row: i / 20, column: i % 20, point: (i % 10 != 0).then_some(p) }
             })
             .collect();
         assert!(missing_directions(&cells).is_empty());

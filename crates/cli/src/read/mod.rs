@@ -29,7 +29,7 @@ use asbuilt_core::geometry::Vec3;
 use asbuilt_core::scan::{Beam, Beams};
 use indicatif::ProgressBar;
 
-pub use content::{Form, Kind, form, kind};
+pub use content::{FileContents, FileFormat, form, kind};
 pub use options::ReadOptions;
 pub use origin::IdentityPose;
 pub use text::Columns;
@@ -86,19 +86,19 @@ pub type Facts = std::collections::BTreeMap<String, String>;
 pub const NO_ROTATION: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 
 /// Receives scans as they are read.
-pub type Sink<'a> = &'a mut dyn FnMut(RawScan) -> Result<()>;
+pub type ScanSink<'a> = &'a mut dyn FnMut(RawScan) -> Result<()>;
 
 /// Reads every scan of a file. A library that panics on a damaged file becomes an error.
-pub fn read_scans(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
-    let sink: Sink = &mut |scan| sink(origin::judged(scan, options));
+pub fn read_scans(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
+    let sink: ScanSink = &mut |scan| sink(origin::judged(scan, options));
     let read = || match content::form(path)? {
-        Form::E57 => e57::read(path, options, bar, sink),
-        Form::Las => las::read(path, options, bar, sink),
-        Form::Ply => ply::read(path, options, bar, sink),
-        Form::Ptx => ptx::read(path, options, bar, sink),
-        Form::Pcd => pcd::read(path, options, bar, sink),
-        Form::Text => xyz::read(path, options, bar, sink),
-        Form::Ifc => bail!("it is a building model, not a scan"),
+        FileFormat::E57 => e57::read(path, options, bar, sink),
+        FileFormat::Las => las::read(path, options, bar, sink),
+        FileFormat::Ply => ply::read(path, options, bar, sink),
+        FileFormat::Ptx => ptx::read(path, options, bar, sink),
+        FileFormat::Pcd => pcd::read(path, options, bar, sink),
+        FileFormat::Text => xyz::read(path, options, bar, sink),
+        FileFormat::Ifc => bail!("it is a building model, not a scan"),
     };
     silence_panics(read)
         .unwrap_or_else(|_| Err(anyhow!("the file is damaged: its reader gave up in the middle")))

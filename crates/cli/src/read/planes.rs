@@ -3,7 +3,7 @@
 use asbuilt_core::scan::{Beam, Beams};
 
 use super::ReadOptions;
-use super::text::{Column, Columns};
+use super::text::{ColumnRole, Columns};
 
 /// What was measured of every point besides its place.
 #[derive(Debug, Default)]
@@ -16,20 +16,20 @@ impl Planes {
     /// The attributes that the columns hold and the user wants.
     pub fn wanted(columns: &Columns, options: &ReadOptions) -> Self {
         let has = |c| columns.place(c).is_some();
-        let is_coloured = has(Column::Red) && has(Column::Green) && has(Column::Blue);
+        let is_coloured = has(ColumnRole::Red) && has(ColumnRole::Green) && has(ColumnRole::Blue);
         Self {
-            intensity: (options.intensity && has(Column::Intensity)).then(Vec::new),
+            intensity: (options.intensity && has(ColumnRole::Intensity)).then(Vec::new),
             colour: (options.colour && is_coloured).then(Vec::new),
         }
     }
 
-    pub fn add(&mut self, value: impl Fn(Column) -> Option<f64>) {
+    pub fn add(&mut self, value: impl Fn(ColumnRole) -> Option<f64>) {
         let number = |c| value(c).unwrap_or(0.0);
         if let Some(plane) = &mut self.intensity {
-            plane.push(number(Column::Intensity));
+            plane.push(number(ColumnRole::Intensity));
         }
         if let Some(plane) = &mut self.colour {
-            plane.push([Column::Red, Column::Green, Column::Blue].map(number));
+            plane.push([ColumnRole::Red, ColumnRole::Green, ColumnRole::Blue].map(number));
         }
     }
 
@@ -65,7 +65,7 @@ mod tests {
             [(0.5, 0.2, 32_768, 51), (1000.0, 51.0, 1000, 51), (-2048.0, 51.0, 0, 51)]
         {
             let mut planes = Planes::wanted(&columns, &options);
-            planes.add(|c| Some(if c == Column::Intensity { intensity } else { colour }));
+            planes.add(|c| Some(if c == ColumnRole::Intensity { intensity } else { colour }));
             let content = planes.content(vec![Beam { offset: Vec3::zeros(), returned: true }]);
             assert_eq!(content.intensity, Some(vec![expected]));
             assert_eq!(content.colour, Some(vec![[part; 3]]));

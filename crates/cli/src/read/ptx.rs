@@ -8,12 +8,12 @@ use asbuilt_core::scan::{Beam, Beams};
 use indicatif::ProgressBar;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
-use super::grid::{Cell, missing_directions};
+use super::grid::{GridCell, missing_directions};
 use super::text::{Lines, numbers};
-use super::{Facts, NO_ROTATION, Order, RawScan, ReadOptions, Sink, stem, unit};
+use super::{Facts, NO_ROTATION, Order, RawScan, ReadOptions, ScanSink, stem, unit};
 
 /// Reads every scan of the file.
-pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
+pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
     let mut lines = Lines::open(path, bar)?.with_decimal_commas(options.decimal_comma);
     let mut number = 0;
     while let Some(columns) = next_count(&mut lines)? {
@@ -22,7 +22,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -
             bail!("line {}: {columns}×{rows} is no scan grid", lines.number());
         }
         number += 1;
-        let Pose { rotation, anchor, are_world, notes: said } = pose(&mut lines)?;
+        let PtxPose { rotation, anchor, are_world, notes: said } = pose(&mut lines)?;
         let (cells, mut notes) = cells(&mut lines, columns as u32, rows as u32)?;
         notes.splice(0..0, said);
         let from = if are_world { anchor } else { Vec3::zeros() };
@@ -63,7 +63,7 @@ fn next_count(lines: &mut Lines) -> Result<Option<f64>> {
 }
 
 /// The frame of a scan's points.
-struct Pose {
+struct PtxPose {
     rotation: Matrix3<f64>,
     anchor: Vec3,
     /// The points are in the world frame already.
@@ -73,7 +73,7 @@ struct Pose {
 
 /// Scanner position and axes (repeated in the matrix), then the matrix for row vectors: a point p in the scanner's
 /// frame is p·M in the world's.
-fn pose(lines: &mut Lines) -> Result<Pose> {
+fn pose(lines: &mut Lines) -> Result<PtxPose> {
     let position = Vec3::from(lines.numbers::<3>("the scanner's position")?);
     for what in ["the first axis", "the second axis", "the third axis"] {
         lines.numbers::<3>(what)?;
@@ -110,11 +110,11 @@ fn pose(lines: &mut Lines) -> Result<Pose> {
             position.x, position.y, position.z, anchor.x, anchor.y, anchor.z
         ));
     }
-    Ok(Pose { rotation, anchor, are_world, notes })
+    Ok(PtxPose { rotation, anchor, are_world, notes })
 }
 
 /// Cells, and a note. A single column is not a grid but a list of points in any order, whose count many writers guess.
-fn cells(lines: &mut Lines, columns: u32, rows: u32) -> Result<(Vec<Cell>, Vec<String>)> {
+fn cells(lines: &mut Lines, columns: u32, rows: u32) -> Result<(Vec<GridCell>, Vec<String>)> {
     let (mut out, mut notes) = (Vec::new(), Vec::new());
     let is_list = columns == 1 || rows == 1;
     'grid: for column in 0..columns {
@@ -133,7 +133,7 @@ fn cells(lines: &mut Lines, columns: u32, rows: u32) -> Result<(Vec<Cell>, Vec<S
             };
             let p = Vec3::from(p);
             let point = (p != Vec3::zeros() && p.iter().all(|c| c.is_finite())).then_some(p);
-            out.push(Cell { row, column, point });
+            out.push(GridCell { row, column, point });
         }
     }
     Ok((out, notes))

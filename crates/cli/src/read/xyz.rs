@@ -15,10 +15,10 @@ use super::text::head::{Layout, cut};
 use super::text::title::is_comment;
 use super::text::{Columns, Dialect, Head, Lines};
 use super::unit::Unit;
-use super::{Facts, ReadOptions, Sink, scan_of_content};
+use super::{Facts, ReadOptions, ScanSink, scan_of_content};
 
 /// Reads points; titles and comments are skipped, a count is checked against the points.
-pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
+pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
     let mut lines = Lines::open(path, bar)?;
     let head = Head::read(&mut lines, options)?;
     let dialect = head.dialect(options)?;

@@ -5,6 +5,7 @@ use super::cluster::{angular_spacing, clusters, spacing};
 use super::origins::Origins;
 use super::patch::Patch;
 use super::patch_spec::PatchSpec;
+use super::spacing::Spacing;
 use super::tile::{mean_step, tiles};
 use crate::geometry::Vec3;
 use crate::{Interrupt, Result, poll, room};
@@ -22,13 +23,13 @@ impl Beams {
         }
     }
 
-    /// The step of a patch of these beams ([`super::PatchSpec::step`]) when nobody tells.
-    /// Radians; metres for points without origin.
-    pub fn step(&self, origins: Origins) -> f64 {
+    /// How far neighbouring ones of these beams are apart, when nobody tells.
+    /// An angle, radians; a distance, metres, for points without origin.
+    pub fn spacing(&self, origins: Origins) -> Spacing {
         match origins {
-            Origins::One => mean_step(&self.beams),
-            Origins::Each => angular_spacing(self),
-            Origins::Unknown => spacing(self.beams.iter().map(|b| &b.offset)),
+            Origins::One => Spacing::Angle(mean_step(&self.beams)),
+            Origins::Each => Spacing::Angle(angular_spacing(self)),
+            Origins::Unknown => Spacing::Distance(spacing(self.beams.iter().map(|b| &b.offset))),
         }
     }
 

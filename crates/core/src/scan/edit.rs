@@ -62,9 +62,7 @@ impl Patch {
         content.starts.iter_mut().flatten().for_each(|s| *s = linear * *s);
         let mut setting = header.setting();
         setting.origin = pose.apply(&header.origin);
-        if setting.origins == Origins::Unknown {
-            setting.step *= pose.scale;
-        }
+        setting.spacing = setting.spacing.scaled(pose.scale);
         Self::pack(&setting, &content)
     }
 

@@ -6,6 +6,7 @@ use super::cone::Cone;
 use super::header::{JOIN_MARGIN_M, NO_RETURN_REACH_M, PatchHeader};
 use super::origins::Origins;
 use super::patch_spec::PatchSpec;
+use super::spacing::Spacing;
 use super::{bitpack, planes};
 use crate::error::{Error, Limited, Result};
 use crate::geometry::{Aabb, Vec3, check_coordinates};
@@ -81,8 +82,12 @@ pub fn check(setting: &PatchSpec, content: &Beams) -> Result<()> {
         return Err(Error::Empty { what: "the scan patch" });
     }
     check_count(n)?;
-    if !(1e-7..=1e3).contains(&setting.step) {
-        return Err(Error::argument("the step", "between 1e-7 and 1000", setting.step));
+    let step = setting.spacing.number();
+    if !(1e-7..=1e3).contains(&step) {
+        return Err(Error::argument("the step", "between 1e-7 and 1000", step));
+    }
+    if setting.spacing != Spacing::of(setting.origins, step) {
+        return Err(Error::argument("the step", "an angle, for points without origin a distance", "the other"));
     }
     if !(1e-9..=1.0).contains(&setting.quantum) {
         return Err(Error::argument("the quantum", "between 1e-9 and 1 m", setting.quantum));
@@ -154,7 +159,7 @@ impl Quanta {
 
 /// The header of beams as a reader sees them.
 pub fn describe(flags: u8, setting: &PatchSpec, content: &Beams) -> Result<PatchHeader> {
-    let PatchSpec { origins, station, origin, step, quantum } = *setting;
+    let PatchSpec { origins, station, origin, spacing, quantum } = *setting;
     let returned = || (0..content.len()).filter(|&i| content.beams[i].returned);
     let world: Vec<Vec3> = returned().map(|i| origin + content.end(i)).collect();
     let flat = Aabb { min: origin.into(), max: origin.into() };
@@ -168,7 +173,7 @@ pub fn describe(flags: u8, setting: &PatchSpec, content: &Beams) -> Result<Patch
         beams: content.len() as u32,
         returns: world.len() as u32,
         range,
-        step: step as f32,
+        spacing: spacing.stored(),
         station,
         origin,
         quantum,

@@ -4,6 +4,7 @@ use super::beams::Beams;
 use super::cone::Cone;
 use super::origins::Origins;
 use super::patch_spec::PatchSpec;
+use super::spacing::Spacing;
 use crate::NEVER;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
@@ -18,13 +19,28 @@ pub const JOIN_MARGIN_M: f64 = 0.25;
 /// A beam without return counts as having looked this far; the hull of a patch extends to there.
 pub const NO_RETURN_REACH_M: f64 = 30.0;
 
+/// How far from the beams of a patch a box may lie, so that they can still tell of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vicinity {
+    /// Around the hull of beams that start at many places, and around points without origin, metres.
+    pub around: f64,
+    /// Radius of the ball that stands for the box where beams start at one place, metres.
+    pub radius: f64,
+    /// From that place to the ball, metres.
+    pub reach: f64,
+    /// From the beams' cone to the ball, metres,
+    pub beside: f64,
+    /// and radians.
+    pub beside_angle: f64,
+}
+
 /// Header of a patch: fixed size, readable alone.
 ///
 /// A container of sections (`num/sections.rs`), version 3, whose first note holds the flags. The header's content,
-/// little-endian: beams u32, returns u32, half-angle f32, step f32, range min and max f32, station i64, origin 3×f64,
-/// quantum f64, point box 6×f64, hull 6×f64, axis 3×f64. Versions 1 (without attributes) and 2 are read: flags u8 and 0
-/// u8 after the letter, then beams, returns, payload length and CRC-32 u32, half-angle, step, range f32, (pad) u32, the
-/// rest as now, and the payload.
+/// little-endian: beams u32, returns u32, half-angle f32, spacing f32, range min and max f32, station i64, origin
+/// 3×f64, quantum f64, point box 6×f64, hull 6×f64, axis 3×f64. Versions 1 (without attributes) and 2 are read: flags
+/// u8 and 0 u8 after the letter, then beams, returns, payload length and CRC-32 u32, half-angle, spacing, range f32,
+/// (pad) u32, the rest as now, and the payload.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchHeader {
     /// See the `FLAG_` constants.
@@ -35,8 +51,8 @@ pub struct PatchHeader {
     pub returns: u32,
     /// Smallest and largest range of a return, metres; `[0, 0]` when there is none.
     pub range: [f32; 2],
-    /// Angle between neighbouring beams, radians; for points without origin their spacing in metres.
-    pub step: f32,
+    /// How far neighbouring beams are apart; kept in single precision.
+    pub spacing: Spacing,
     /// The scanner position's number, as the user keeps it.
     pub station: i64,
     /// Where the beams start, world metres; a reference point where they do not start at one place.
@@ -76,7 +92,11 @@ impl PatchHeader {
 
     /// Where the beams start.
     pub fn origins(&self) -> Origins {
-        match self.flags & (Self::FLAG_NO_ORIGIN | Self::FLAG_ORIGIN_EACH) {
+        Self::origins_by(self.flags)
+    }
+
+    fn origins_by(flags: u8) -> Origins {
+        match flags & (Self::FLAG_NO_ORIGIN | Self::FLAG_ORIGIN_EACH) {
             0 => Origins::One,
             Self::FLAG_ORIGIN_EACH => Origins::Each,
             _ => Origins::Unknown,
@@ -94,24 +114,32 @@ impl PatchHeader {
     /// What the beams have in common.
     pub fn setting(&self) -> PatchSpec {
         let (station, origin, quantum) = (self.station, self.origin, self.quantum);
-        PatchSpec { origins: self.origins(), station, origin, step: f64::from(self.step), quantum }
+        PatchSpec { origins: self.origins(), station, origin, spacing: self.spacing, quantum }
     }
 
     /// Whether a beam of the patch can come within `margin` metres of a box: by cone and range, against the ball around
     /// the box. Never says no where one does.
     pub fn sees(&self, bounds: &Aabb, margin: f64) -> bool {
-        match self.origins() {
-            Origins::One => {}
-            Origins::Each => return self.hull.expanded(margin).overlaps(bounds),
-            Origins::Unknown => return self.points.expanded(margin).overlaps(bounds),
-        }
-        let offset = bounds.centre() - self.origin;
         // Room for rounding: of differences of coordinates, and of the header's single precision.
         let rounding = 1e-6 + 1e-9 * self.origin.amax().max(bounds.centre().amax());
-        let radius = 0.5 * bounds.expanded(margin).diagonal() + rounding;
+        let grown = 0.5 * bounds.expanded(margin).diagonal() + rounding;
         let returns = if self.returns > 0 { f64::from(self.range[1]) } else { 0.0 };
         let reach = if self.flags & Self::FLAG_NO_RETURNS != 0 { f64::INFINITY } else { returns };
-        offset.norm() - radius <= reach && self.cone.meets_ball(&offset, radius, 1e-7)
+        self.can_tell_of(bounds, &Vicinity { around: margin, radius: grown, reach, beside: 0.0, beside_angle: 1e-7 })
+    }
+
+    /// Whether a box lies in the vicinity of the patch's beams: by their hull or their returns where they do not start
+    /// at one place, else by cone and range against the ball around the box. Never says no where it does.
+    pub fn can_tell_of(&self, bounds: &Aabb, vicinity: &Vicinity) -> bool {
+        match self.origins() {
+            Origins::One => {
+                let centre_scanner = bounds.centre() - self.origin;
+                centre_scanner.norm() - vicinity.radius <= vicinity.reach
+                    && self.cone.meets_ball(&centre_scanner, vicinity.radius + vicinity.beside, vicinity.beside_angle)
+            }
+            Origins::Each => self.hull.expanded(vicinity.around).overlaps(bounds),
+            Origins::Unknown => self.points.expanded(vicinity.around).overlaps(bounds),
+        }
     }
 
     /// Whether two headers say the same, except for rounding in the last digits of what is computed.
@@ -134,7 +162,7 @@ impl PatchHeader {
         put_section(HEADER, out, NEVER, |out| {
             [self.beams, self.returns].iter().for_each(|&v| out.put_u32(v));
             out.put_f32(self.cone.half_angle as f32);
-            out.put_f32(self.step);
+            out.put_f32(self.spacing.number() as f32);
             self.range.iter().for_each(|&v| out.put_f32(v));
             out.put_i64(self.station);
             out.put_vec3(&self.origin);
@@ -177,7 +205,7 @@ impl PatchHeader {
         let [beams, returns] = [r.u32()?, r.u32()?];
         r.take(if is_flat { 8 } else { 0 })?;
         let half_angle = f64::from(r.f32()?);
-        let step = r.f32()?;
+        let spacing = Spacing::of(Self::origins_by(flags), f64::from(r.f32()?));
         let range = [r.f32()?, r.f32()?];
         r.take(if is_flat { 4 } else { 0 })?;
         let station = r.i64()?;
@@ -187,7 +215,7 @@ impl PatchHeader {
         let (points, hull) = (aabb()?, aabb()?);
         let axis = r.vec3()?;
         let cone = Cone { axis, half_angle };
-        Ok(Self { flags, beams, returns, range, step, station, origin, quantum, points, hull, cone })
+        Ok(Self { flags, beams, returns, range, spacing, station, origin, quantum, points, hull, cone })
     }
 
     /// Payload of a patch of any version, its checksum checked.

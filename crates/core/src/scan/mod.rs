@@ -12,6 +12,7 @@
 //! * [`beams`]: many of them, with what else was measured of each;
 //! * [`cone`]: the directions of a tile;
 //! * [`origins`]: where the beams of a patch start;
+//! * [`spacing`]: how far neighbouring ones are apart;
 //! * [`patch_spec`]: what they have in common;
 //! * [`header`]: what a patch tells without its payload;
 //! * [`bitpack`]: columns of whole numbers, packed;
@@ -46,6 +47,7 @@ mod patch_spec;
 mod planes;
 mod platform;
 mod range_image;
+mod spacing;
 mod tile;
 
 pub(crate) use angular_grid::AngularGrid;
@@ -53,10 +55,11 @@ pub use beam::{Beam, MAX_BEAMS};
 pub use beams::Beams;
 pub use cone::Cone;
 pub use encode::check_count;
-pub use header::{JOIN_MARGIN_M, NO_RETURN_REACH_M, PatchHeader};
+pub use header::{JOIN_MARGIN_M, NO_RETURN_REACH_M, PatchHeader, Vicinity};
 pub use origins::Origins;
 pub use patch::Patch;
 pub use patch_builder::{PatchBuilder, Return};
 pub use patch_spec::PatchSpec;
 pub use platform::by_origin;
 pub use range_image::RangeImage;
+pub use spacing::Spacing;

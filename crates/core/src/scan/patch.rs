@@ -6,6 +6,7 @@ use super::encode::{NO_LEAD, check, describe, encode};
 use super::header::{PatchHeader, TY};
 use super::origins::Origins;
 use super::patch_spec::PatchSpec;
+use super::spacing::Spacing;
 use super::{bitpack, planes};
 use crate::NEVER;
 use crate::error::{Error, Result};
@@ -34,7 +35,8 @@ impl Patch {
 
     /// Packs beams that start at `origin`; `step` is the angle between neighbours, radians.
     pub fn encode(station: i64, origin: Vec3, step: f64, quantum: f64, beams: &[Beam]) -> Result<Self> {
-        let setting = PatchSpec { origins: Origins::One, station, origin, step, quantum };
+        let spacing = Spacing::Angle(step);
+        let setting = PatchSpec { origins: Origins::One, station, origin, spacing, quantum };
         Self::pack(&setting, &Beams::of(beams.to_vec()))
     }
 
@@ -208,12 +210,13 @@ mod tests {
                 ..Beams::of(readings.iter().map(|r| Beam { offset: vec(r.1), returned: r.4 }).collect())
             };
             let origin = Vec3::new(6e6, 6e6, 0.0);
-            let setting = PatchSpec { origins: Origins::Each, station: -3, origin, step: 1e-3, quantum: 1e-4 };
+            let spacing = Spacing::Angle(1e-3);
+            let setting = PatchSpec { origins: Origins::Each, station: -3, origin, spacing, quantum: 1e-4 };
             let patch = Patch::pack(&setting, &content).unwrap();
             let bytes = patch.to_bytes();
             prop_assert_eq!(&Patch::from_bytes(&bytes).unwrap(), &patch);
             let (header, back) = Patch::content_of(&bytes).unwrap();
-            prop_assert_eq!(header.setting(), PatchSpec { step: f64::from(1e-3f32), ..setting });
+            prop_assert_eq!(header.setting(), PatchSpec { spacing: Spacing::Angle(f64::from(1e-3f32)), ..setting });
             prop_assert_eq!((&back.intensity, &back.colour), (&content.intensity, &content.colour));
             for i in 0..content.len() {
                 prop_assert_eq!(content.beams[i].returned, back.beams[i].returned);
@@ -272,15 +275,19 @@ mod tests {
         ] {
             assert!(forged(forge).is_err());
         }
-        assert!(forged(&|h| (h.station, h.step) = (7, 3e-3)).is_ok());
+        assert!(forged(&|h| (h.station, h.spacing) = (7, Spacing::Angle(3e-3))).is_ok());
     }
 
     #[test]
     fn planes_fit_their_beams() {
         let one = Beam { offset: Vec3::x(), returned: true };
-        let setting = PatchSpec { origins: Origins::One, station: 0, origin: Vec3::zeros(), step: 1e-3, quantum: 1e-4 };
+        let (origin, spacing) = (Vec3::zeros(), Spacing::Angle(1e-3));
+        let setting = PatchSpec { origins: Origins::One, station: 0, origin, spacing, quantum: 1e-4 };
         let content = Beams { intensity: Some(vec![1, 2]), ..Beams::of(vec![one]) };
         assert!(Patch::pack(&setting, &content).is_err());
+        let points = PatchSpec { origins: Origins::Unknown, ..setting };
+        assert!(Patch::pack(&points, &Beams::of(vec![one])).is_err(), "an angle between points without origin");
+        assert!(Patch::pack(&PatchSpec { spacing: Spacing::Distance(0.01), ..points }, &Beams::of(vec![one])).is_ok());
         // Starts and the kind of origin belong together.
         assert!(Patch::pack(&PatchSpec { origins: Origins::Each, ..setting }, &Beams::of(vec![one])).is_err());
         let content = Beams { starts: Some(vec![Vec3::zeros()]), ..Beams::of(vec![one]) };

@@ -131,8 +131,8 @@ impl PatchBuilder {
         let origins = self.origins();
         let (station, origin, quantum) = (self.station, self.reference, Patch::QUANTUM_M);
         self.content.packed(origins, interrupt, |own| {
-            let step = own.step(origins);
-            PatchSpec { origins, station, origin, step, quantum }
+            let spacing = own.spacing(origins);
+            PatchSpec { origins, station, origin, spacing, quantum }
         })
     }
 

@@ -1,6 +1,7 @@
 //! What the beams of a patch have in common.
 
 use super::origins::Origins;
+use super::spacing::Spacing;
 use crate::geometry::Vec3;
 
 /// What the beams of a patch have in common.
@@ -12,8 +13,8 @@ pub struct PatchSpec {
     pub station: i64,
     /// The one origin of the beams, or a reference point near them; world metres.
     pub origin: Vec3,
-    /// Angle between neighbouring beams, radians; for points without origin their spacing, metres.
-    pub step: f64,
+    /// How far neighbouring beams are apart.
+    pub spacing: Spacing,
     /// Unit of the packed coordinates, metres.
     pub quantum: f64,
 }

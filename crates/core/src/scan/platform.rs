@@ -41,7 +41,7 @@ pub fn by_origin(header: &PatchHeader, content: &Beams) -> Result<Vec<(PatchHead
 mod tests {
     use super::*;
     use crate::geometry::Vec3;
-    use crate::scan::Patch;
+    use crate::scan::{Patch, Spacing};
 
     #[test]
     fn every_beam_keeps_its_start_and_end() {
@@ -51,7 +51,8 @@ mod tests {
             |i: i32| Beam { offset: Vec3::new(0.0, if i % 2 == 0 { 3.0 } else { -4.0 }, 0.2), returned: i % 9 != 0 };
         let content = Beams { starts: Some(starts.clone()), ..Beams::of((0..n).map(beam).collect()) };
         let origin = Vec3::new(6e6, 6e6, 100.0);
-        let setting = PatchSpec { origins: Origins::Each, station: 4, origin, step: 0.01, quantum: 1e-4 };
+        let setting =
+            PatchSpec { origins: Origins::Each, station: 4, origin, spacing: Spacing::Angle(0.01), quantum: 1e-4 };
         let bytes = Patch::pack(&setting, &content).unwrap().to_bytes();
         let (header, back) = Patch::beams_of(&bytes).unwrap();
         let groups = by_origin(&header, &back).unwrap();

@@ -43,7 +43,7 @@ impl RangeImage {
                 image.push(gnomonic(&header.cone, &basis, &d));
             }
         }
-        let (grid, slots) = AngularGrid::sort(&image, f64::from(header.step));
+        let (grid, slots) = AngularGrid::sort(&image, header.spacing.angle());
         let (mut directions, mut ranges) = (vec![Vec3::zeros(); kept.len()], vec![0.0; kept.len()]);
         let mut sorted = intensities.map(|_| vec![0; kept.len()]);
         for (slot, (direction, range, intensity)) in slots.into_iter().zip(kept) {
@@ -54,6 +54,11 @@ impl RangeImage {
             }
         }
         Self { header, directions, ranges, intensities: sorted, basis, grid }
+    }
+
+    /// Angle between neighbouring beams, radians.
+    pub fn step(&self) -> f64 {
+        self.header.spacing.angle()
     }
 
     /// Number of beams.

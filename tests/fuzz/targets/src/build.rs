@@ -2,9 +2,9 @@
 
 use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, SurfaceKind, Vec3};
-use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchBuilder, PatchSpec, Return};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchBuilder, PatchSpec, Return, Spacing};
 use asbuilt_core::verify::{Collector, Evidence, EvidenceModel, ModelKind};
-use asbuilt_core::voxel::{Change, ChangeSettings, FillRule, Grid, Occupancy, VoxelSet};
+use asbuilt_core::voxel::{ChangeSettings, FillRule, Grid, Occupancy, VoxelChange, VoxelSet};
 
 use crate::bounded;
 use crate::input::Input;
@@ -25,7 +25,7 @@ fn packed(input: &mut Input) -> Option<Patch> {
         origins,
         station: i64::from(input.byte()),
         origin: Vec3::from(input.vector()),
-        step: input.metres().abs(),
+        spacing: Spacing::of(origins, input.metres().abs()),
         quantum: [1e-4, 1e-3, 1e-6, 0.5][usize::from(flags >> 2 & 3)],
     };
     let n = usize::from(input.byte()) + 1;
@@ -119,10 +119,10 @@ fn drawn(voxel: f64) -> Occupancy {
     VoxelSet::of(&solid, &grid, FillRule::Centre, NEVER).unwrap().into_model(grid, NEVER).unwrap()
 }
 
-fn changed(voxel: f64) -> Change {
+fn changed(voxel: f64) -> VoxelChange {
     let settings = ChangeSettings { threshold: 1, tolerance: 0.0 };
     let new = Occupancy::new(*drawn(voxel).grid());
-    Change::between(&drawn(voxel), &new, settings, NEVER).unwrap()
+    VoxelChange::between(&drawn(voxel), &new, settings, NEVER).unwrap()
 }
 
 fn texts() -> Vec<Vec<u8>> {

@@ -28,7 +28,7 @@ pub fn edits(bytes: &[u8]) {
     let _ = Patch::thinned(bytes, 0.05);
     let _ = bounded(|i| Patch::union(&[bytes, bytes], i));
     let _ = bounded(|i| Patch::retiled(&[bytes, bytes], i));
-    let _ = content.step(header.origins());
+    let _ = content.spacing(header.origins());
 }
 
 pub fn gathered(data: &[u8]) {

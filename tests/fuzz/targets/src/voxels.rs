@@ -1,7 +1,7 @@
 //! Occupancies and changes out of their stored forms.
 
 use asbuilt_core::geometry::Aabb;
-use asbuilt_core::voxel::{Change, ChangeClass, ChangeSettings, Occupancy};
+use asbuilt_core::voxel::{ChangeClass, ChangeSettings, Occupancy, VoxelChange};
 
 use crate::bounded;
 use crate::checksum::mended;
@@ -34,7 +34,7 @@ fn questions(o: &Occupancy) {
     let _ = bounded(|i| twice.merge(o, i));
     for tolerance in [0.0, o.grid().voxel] {
         let settings = ChangeSettings { threshold: 1, tolerance };
-        if let Ok(c) = bounded(|i| Change::between(o, &twice, settings, i)) {
+        if let Ok(c) = bounded(|i| VoxelChange::between(o, &twice, settings, i)) {
             questions_of_change(&c);
         }
     }
@@ -42,10 +42,10 @@ fn questions(o: &Occupancy) {
 
 pub fn change(data: &[u8]) {
     for bytes in [data.to_vec(), mended(data)] {
-        let _ = Change::header(&bytes);
-        let Ok(c) = bounded(|i| Change::from_bytes(&bytes, i)) else { continue };
+        let _ = VoxelChange::header(&bytes);
+        let Ok(c) = bounded(|i| VoxelChange::from_bytes(&bytes, i)) else { continue };
         let Ok(stored) = bounded(|i| c.to_bytes(i)) else { continue };
-        match bounded(|i| Change::from_bytes(&stored, i)) {
+        match bounded(|i| VoxelChange::from_bytes(&stored, i)) {
             Ok(again) => assert_eq!(c, again, "a change changed through its bytes"),
             Err(asbuilt_core::Error::Interrupted) => {}
             Err(e) => panic!("a change is refused as its own bytes: {e}"),
@@ -54,7 +54,7 @@ pub fn change(data: &[u8]) {
     }
 }
 
-fn questions_of_change(c: &Change) {
+fn questions_of_change(c: &VoxelChange) {
     let _ = bounded(|i| c.for_each(i, |_, _| ()));
     for class in [ChangeClass::New, ChangeClass::Disappeared, ChangeClass::Confirmed] {
         let _ = bounded(|i| c.components(class, 1, c.grid().voxel, i));

@@ -16,7 +16,7 @@ use crate::database::connect::{Database, DatabaseArgs, explain};
 use crate::database::names::Names;
 use crate::database::{layout, tables};
 use crate::output::{Noted, notes, say, say_error};
-use crate::read::{self, Kind};
+use crate::read::{self, FileContents};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -86,7 +86,7 @@ pub fn run(args: &LoadArgs) -> Result<()> {
 }
 
 /// Everything but the commit; a file that cannot be loaded does not keep the others from being tried.
-fn rehearse(args: &LoadArgs, kinds: &[Kind], db: &mut Database) -> Result<()> {
+fn rehearse(args: &LoadArgs, kinds: &[FileContents], db: &mut Database) -> Result<()> {
     let is_made = layout::is_made(db)?;
     let (mut names, current) = (db.names.clone(), db.current_schema.clone());
     let mut tx = db.client.transaction().map_err(explain)?;
@@ -109,7 +109,7 @@ fn rehearse(args: &LoadArgs, kinds: &[Kind], db: &mut Database) -> Result<()> {
     Ok(())
 }
 
-fn kind_of(file: &Path) -> Result<Kind> {
+fn kind_of(file: &Path) -> Result<FileContents> {
     if file.is_dir() {
         bail!("{}: it is a folder; name the files in it", file.display());
     }
@@ -117,17 +117,17 @@ fn kind_of(file: &Path) -> Result<Kind> {
 }
 
 /// One file, one transaction: dropped without commit, it leaves nothing.
-fn load_file(args: &LoadArgs, file: &Path, kind: Kind, db: &mut Database) -> Result<()> {
+fn load_file(args: &LoadArgs, file: &Path, kind: FileContents, db: &mut Database) -> Result<()> {
     let mut tx = db.client.transaction().map_err(explain)?;
     store(args, file, kind, &db.names, &mut tx)?;
     tx.commit().map_err(explain).with_context(|| format!("{}: nothing of it was loaded", file.display()))
 }
 
-fn store(args: &LoadArgs, file: &Path, kind: Kind, names: &Names, tx: &mut Transaction) -> Result<()> {
-    tables::lock_source(tx, &source(file), if kind == Kind::Scan { args.epoch } else { 0 })?;
+fn store(args: &LoadArgs, file: &Path, kind: FileContents, names: &Names, tx: &mut Transaction) -> Result<()> {
+    tables::lock_source(tx, &source(file), if kind == FileContents::Scan { args.epoch } else { 0 })?;
     match kind {
-        Kind::Model => model::load(args, file, names, tx),
-        Kind::Scan => scans::load(args, file, names, tx),
+        FileContents::Model => model::load(args, file, names, tx),
+        FileContents::Scan => scans::load(args, file, names, tx),
     }
 }
 

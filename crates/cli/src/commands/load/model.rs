@@ -103,7 +103,7 @@ fn properties(p: &ifc::Product) -> Value {
     Value::Object(map)
 }
 
-fn report(source: &str, model: &ifc::Model, meshed: usize, open: &[String], bounds: &Aabb) {
+fn report(source: &str, model: &ifc::IfcModel, meshed: usize, open: &[String], bounds: &Aabb) {
     let parts = model.products.iter().filter(|p| p.part_of.is_some()).count();
     say!(
         "{source}: {} products read, {meshed} meshed, {} open surfaces, {parts} parts of others, {} missing",

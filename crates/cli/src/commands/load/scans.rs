@@ -13,7 +13,7 @@ use crate::database::connect::explain;
 use crate::database::copy;
 use crate::database::names::Names;
 use crate::output::{count, progress, say};
-use crate::read::child::{Event, Reader, ScanHead};
+use crate::read::child::{Event, ReadingProcess, ScanHead};
 use crate::stations::Packed;
 
 pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -> Result<()> {
@@ -25,7 +25,7 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
     }
     let bar = progress(&format!("reading {source}"), "points");
     let mut total = Total::default();
-    let mut reader = Reader::start(args.reading.job(file))?;
+    let mut reader = ReadingProcess::start(args.reading.job(file))?;
     while let Some(event) = reader.next(&bar)? {
         let Event::Scan(head) = event else { bail!("{}: its reader sent no scan", file.display()) };
         head.notes.iter().for_each(|note| say!("  {}: {note}", head.name));
@@ -33,7 +33,7 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
             say!("  {}: empty, passed over", head.name);
             continue;
         }
-        let packed = Station { args, source: &source, head: &head }.store(&mut reader, &bar, names, tx)?;
+        let packed = StationLoader { args, source: &source, head: &head }.store(&mut reader, &bar, names, tx)?;
         if packed.beams == packed.no_returns {
             say!("  warning: {}: no return of it is left", head.name);
         }
@@ -49,14 +49,20 @@ pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -
 }
 
 /// A scanner position whose patches follow.
-struct Station<'a> {
+struct StationLoader<'a> {
     args: &'a LoadArgs,
     source: &'a str,
     head: &'a ScanHead,
 }
 
-impl Station<'_> {
-    fn store(self, reader: &mut Reader, bar: &ProgressBar, names: &Names, tx: &mut Transaction) -> Result<Packed> {
+impl StationLoader<'_> {
+    fn store(
+        self,
+        reader: &mut ReadingProcess,
+        bar: &ProgressBar,
+        names: &Names,
+        tx: &mut Transaction,
+    ) -> Result<Packed> {
         let (station, epoch) = (self.insert(names, tx)?, self.args.epoch);
         reader.answer(station)?;
         let columns = [("station_id", Type::INT8), ("epoch", Type::INT4), ("patch", Type::BYTEA)];

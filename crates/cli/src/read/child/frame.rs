@@ -9,7 +9,7 @@ use crate::read::Facts;
 
 /// What a frame holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum FrameKind {
     /// Position and length of the progress.
     Progress = 1,
     /// A scan begins: [`ScanHead`]. The parent answers with the number of its station, unless it is empty.
@@ -45,7 +45,7 @@ pub struct ScanHead {
 /// Longest frame: no patch and no name is longer; PostgreSQL takes no more either.
 const LONGEST: u32 = 1 << 30;
 
-pub fn write(out: &mut impl Write, kind: Kind, bytes: &[u8]) -> Result<()> {
+pub fn write(out: &mut impl Write, kind: FrameKind, bytes: &[u8]) -> Result<()> {
     let Some(len) = u32::try_from(bytes.len()).ok().filter(|&n| n <= LONGEST) else {
         bail!("{} bytes in one piece are more than PostgreSQL takes", bytes.len());
     };
@@ -56,13 +56,14 @@ pub fn write(out: &mut impl Write, kind: Kind, bytes: &[u8]) -> Result<()> {
 }
 
 /// The next frame; `None` where the pipe is at its end.
-pub fn read(from: &mut impl Read) -> Result<Option<(Kind, Vec<u8>)>> {
+pub fn read(from: &mut impl Read) -> Result<Option<(FrameKind, Vec<u8>)>> {
     let mut head = [0; 5];
     match from.read_exact(&mut head) {
         Err(e) if e.kind() == ErrorKind::UnexpectedEof => return Ok(None),
         other => other?,
     }
-    let kinds = [Kind::Progress, Kind::Scan, Kind::Patch, Kind::Packed, Kind::End, Kind::Failure];
+    let kinds =
+        [FrameKind::Progress, FrameKind::Scan, FrameKind::Patch, FrameKind::Packed, FrameKind::End, FrameKind::Failure];
     let len = u32::from_be_bytes([head[1], head[2], head[3], head[4]]);
     let Some(kind) = kinds.into_iter().find(|k| *k as u8 == head[0] && len <= LONGEST) else {
         bail!("the reading process said something that nobody understands");

@@ -16,7 +16,7 @@ use std::thread::JoinHandle;
 use anyhow::{Context, Result};
 
 pub use frame::ScanHead;
-pub use reader::{Event, Reader};
+pub use reader::{Event, ReadingProcess};
 pub use worker::answer;
 
 use super::ReadOptions;

@@ -7,12 +7,12 @@ use std::thread::JoinHandle;
 use anyhow::{Context, Result, anyhow, bail};
 use indicatif::ProgressBar;
 
-use super::frame::{Kind, ScanHead, read};
+use super::frame::{FrameKind, ScanHead, read};
 use super::{Job, epitaph, spawn};
 use crate::stations::Packed;
 
 /// A reading process; it ends with this value.
-pub struct Reader {
+pub struct ReadingProcess {
     job: Job,
     child: Child,
     words: Option<JoinHandle<String>>,
@@ -22,7 +22,7 @@ pub struct Reader {
 
 /// What a file holds, in its order.
 pub enum Event {
-    /// A scan; unless it is empty, [`Reader::answer`] is waited for.
+    /// A scan; unless it is empty, [`ReadingProcess::answer`] is waited for.
     Scan(ScanHead),
     /// The bytes of one of its patches.
     Patch(Vec<u8>),
@@ -30,7 +30,7 @@ pub enum Event {
     Packed(Packed),
 }
 
-impl Reader {
+impl ReadingProcess {
     pub fn start(job: Job) -> Result<Self> {
         let (mut child, words) = spawn(job.command()?)?;
         let pipe = child.stdout.take().context("no pipe to the reading process")?;
@@ -42,7 +42,7 @@ impl Reader {
     pub fn next(&mut self, bar: &ProgressBar) -> Result<Option<Event>> {
         while let Some((kind, bytes)) = read(&mut self.pipe)? {
             return Ok(match kind {
-                Kind::Progress => {
+                FrameKind::Progress => {
                     let number = |at: usize| u64::from_be_bytes(std::array::from_fn(|k| bytes[at + k]));
                     if bytes.len() == 16 {
                         bar.set_length(number(8));
@@ -50,11 +50,11 @@ impl Reader {
                     }
                     continue;
                 }
-                Kind::Scan => Some(Event::Scan(postcard::from_bytes(&bytes)?)),
-                Kind::Patch => Some(Event::Patch(bytes)),
-                Kind::Packed => Some(Event::Packed(Packed::from_bytes(&bytes)?)),
-                Kind::End => None,
-                Kind::Failure => bail!(String::from_utf8_lossy(&bytes).into_owned()),
+                FrameKind::Scan => Some(Event::Scan(postcard::from_bytes(&bytes)?)),
+                FrameKind::Patch => Some(Event::Patch(bytes)),
+                FrameKind::Packed => Some(Event::Packed(Packed::from_bytes(&bytes)?)),
+                FrameKind::End => None,
+                FrameKind::Failure => bail!(String::from_utf8_lossy(&bytes).into_owned()),
             });
         }
         let status = self.child.wait()?;
@@ -70,7 +70,7 @@ impl Reader {
     }
 }
 
-impl Drop for Reader {
+impl Drop for ReadingProcess {
     fn drop(&mut self) {
         let _ = self.child.kill();
         let _ = self.child.wait();

@@ -8,7 +8,7 @@ use anyhow::{Context, Result};
 use indicatif::ProgressBar;
 
 use super::Job;
-use super::frame::{Kind, ScanHead, write};
+use super::frame::{FrameKind, ScanHead, write};
 use crate::read::{RawScan, read_scans};
 use crate::stations::pack;
 
@@ -17,11 +17,11 @@ use crate::stations::pack;
 struct Pipe(Arc<Mutex<BufWriter<Stdout>>>);
 
 impl Pipe {
-    fn send(&self, kind: Kind, bytes: &[u8]) -> Result<()> {
+    fn send(&self, kind: FrameKind, bytes: &[u8]) -> Result<()> {
         let mut out = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         write(&mut *out, kind, bytes)?;
         // Patches may gather; all else is waited for.
-        if kind == Kind::Patch { Ok(()) } else { Ok(out.flush()?) }
+        if kind == FrameKind::Patch { Ok(()) } else { Ok(out.flush()?) }
     }
 }
 
@@ -32,8 +32,8 @@ pub fn answer(job: &Job) -> Result<()> {
     let bar = ProgressBar::hidden();
     tell(&pipe, &bar);
     match read_scans(&job.file, &job.options, &bar, &mut |scan| send(job, scan, &pipe)) {
-        Ok(()) => pipe.send(Kind::End, &[]),
-        Err(error) => pipe.send(Kind::Failure, format!("{error:#}").as_bytes()),
+        Ok(()) => pipe.send(FrameKind::End, &[]),
+        Err(error) => pipe.send(FrameKind::Failure, format!("{error:#}").as_bytes()),
     }
 }
 
@@ -48,14 +48,15 @@ fn send(job: &Job, mut scan: RawScan, pipe: &Pipe) -> Result<()> {
         notes: std::mem::take(&mut scan.notes),
         facts: std::mem::take(&mut scan.facts),
     };
-    pipe.send(Kind::Scan, &postcard::to_stdvec(&head)?)?;
+    pipe.send(FrameKind::Scan, &postcard::to_stdvec(&head)?)?;
     if head.is_empty {
         return Ok(());
     }
     let mut station = [0; 8];
     stdin().lock().read_exact(&mut station).context("the loader is gone")?;
-    let packed = pack(&mut scan, i64::from_be_bytes(station), job.min_range, |patch| pipe.send(Kind::Patch, patch))?;
-    pipe.send(Kind::Packed, &packed.to_bytes()?)
+    let packed =
+        pack(&mut scan, i64::from_be_bytes(station), job.min_range, |patch| pipe.send(FrameKind::Patch, patch))?;
+    pipe.send(FrameKind::Packed, &packed.to_bytes()?)
 }
 
 /// Reports progress at intervals; when nobody listens, the parent is gone and this process ends.
@@ -65,7 +66,7 @@ fn tell(pipe: &Pipe, bar: &ProgressBar) {
         loop {
             let now: Vec<u8> =
                 [bar.position(), bar.length().unwrap_or(0)].iter().flat_map(|n| n.to_be_bytes()).collect();
-            if pipe.send(Kind::Progress, &now).is_err() {
+            if pipe.send(FrameKind::Progress, &now).is_err() {
                 std::process::exit(1);
             }
             std::thread::sleep(Duration::from_millis(100));

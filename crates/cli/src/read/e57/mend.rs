@@ -17,10 +17,10 @@ const CONTENT: usize = PAGE - 4;
 const LENGTH_AT: usize = 16;
 const XML_AT: usize = 24;
 
-pub type Reader = E57Reader<BufReader<Overlay<File>>>;
+pub type E57File = E57Reader<BufReader<Overlay<File>>>;
 
 /// Opens the file; where the library refuses it, with its XML corrected. Also returns what was done.
-pub fn open(path: &Path) -> Result<(Reader, Vec<String>)> {
+pub fn open(path: &Path) -> Result<(E57File, Vec<String>)> {
     let again = || anyhow::Ok(Overlay::new(File::open(path).context("cannot open it")?)?);
     let refused = match reader(again()?) {
         Ok(reader) => return Ok((reader, Vec::new())),
@@ -32,7 +32,7 @@ pub fn open(path: &Path) -> Result<(Reader, Vec<String>)> {
     Ok((reader(file)?, vec![note]))
 }
 
-fn reader(mut file: Overlay<File>) -> Result<Reader> {
+fn reader(mut file: Overlay<File>) -> Result<E57File> {
     file.rewind()?;
     E57Reader::new(BufReader::new(file)).context("not a readable E57 file")
 }

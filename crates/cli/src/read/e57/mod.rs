@@ -11,11 +11,11 @@ use e57::{CartesianCoordinate, Point, PointCloud, RecordDataType};
 use indicatif::ProgressBar;
 use nalgebra::{Quaternion, UnitQuaternion};
 
-use super::grid::{Cell, missing_directions};
-use super::{Facts, NO_ROTATION, Order, RawScan, ReadOptions, Sink, drop_zeros, stem, unit};
+use super::grid::{GridCell, missing_directions};
+use super::{Facts, NO_ROTATION, Order, RawScan, ReadOptions, ScanSink, drop_zeros, stem, unit};
 
 /// Reads every point cloud of the file.
-pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
+pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
     unit::check(1.0, options.file_unit)?;
     let length = check_head(path)?;
     let (mut file, mut notes) = mend::open(path)?;
@@ -88,7 +88,7 @@ fn bits(data_type: &RecordDataType) -> u128 {
 /// Points in the scanner's frame become beams from its position. Without a pose, a grid or spherical coordinates
 /// tell that the scanner is at zero; other clouds without pose are points without origin.
 fn read_cloud(
-    file: &mut mend::Reader,
+    file: &mut mend::E57File,
     cloud: &PointCloud,
     options: &ReadOptions,
     bar: &ProgressBar,
@@ -130,10 +130,10 @@ fn read_cloud(
 const MAX_RESERVED: u64 = 1 << 24;
 
 /// Beams, cells of the grid, and how many points were not finite.
-type Collected = (Beams, Vec<Cell>, u64);
+type Collected = (Beams, Vec<GridCell>, u64);
 
 fn collect(
-    file: &mut mend::Reader,
+    file: &mut mend::E57File,
     cloud: &PointCloud,
     options: &ReadOptions,
     bar: &ProgressBar,
@@ -172,7 +172,7 @@ fn collect(
             push(&mut content, Beam { offset: rotation * p, returned: true }, &point);
         }
         if let (true, Ok(row), Ok(column)) = (grid, u32::try_from(point.row), u32::try_from(point.column)) {
-            cells.push(Cell { row, column, point: local });
+            cells.push(GridCell { row, column, point: local });
         }
     }
     if cells.iter().all(|c| c.point.is_some()) {

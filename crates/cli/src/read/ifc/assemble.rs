@@ -7,14 +7,14 @@ use asbuilt_core::geometry::Closedness;
 
 use super::meshing::FARTHEST_M;
 use super::reader::Progress;
-use super::told::{Drafts, Header, Outcome};
-use super::{Model, Product};
+use super::told::{Drafts, IfcHeader, Outcome};
+use super::{IfcModel, Product};
 
-pub fn model(progress: Progress) -> Result<Model> {
-    let Header { mut drafts, whole_of, left_out, words, map_conversion, length_unit } =
+pub fn model(progress: Progress) -> Result<IfcModel> {
+    let IfcHeader { mut drafts, whole_of, left_out, words, map_conversion, length_unit } =
         progress.header.context("the meshing process told nothing")?;
     let (warnings, times) = (words, progress.times);
-    let mut model = Model { left_out, warnings, map_conversion, length_unit, times, ..Model::default() };
+    let mut model = IfcModel { left_out, warnings, map_conversion, length_unit, times, ..IfcModel::default() };
     for (id, outcome) in progress.outcomes {
         let Some(draft) = drafts.get_mut(&id) else { continue };
         let missing = match outcome {
@@ -34,7 +34,7 @@ pub fn model(progress: Progress) -> Result<Model> {
 }
 
 /// Gives a product its mesh, or says why it has none.
-fn take(product: &mut Product, outcome: Outcome, model: &mut Model) -> Option<String> {
+fn take(product: &mut Product, outcome: Outcome, model: &mut IfcModel) -> Option<String> {
     let Outcome { soup, note, unproven, mended } = outcome;
     model.mended += usize::from(mended);
     if soup.triangles.is_empty() {

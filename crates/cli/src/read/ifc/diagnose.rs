@@ -11,19 +11,19 @@ const MAX_VISITED: usize = 2000;
 const DEEPEST: usize = 64;
 
 /// A file's records.
-pub struct Records<'a> {
+pub struct IfcFile<'a> {
     pub text: &'a [u8],
     pub index: &'a Arc<EntityIndex>,
 }
 
 /// What is wrong: a record that is missing, that refers to itself, or that has an impossible measure.
-pub fn of(records: &Records, product: u32) -> Option<String> {
+pub fn of(records: &IfcFile, product: u32) -> Option<String> {
     let mut search = Search { records, path: Vec::new(), seen: Default::default() };
     search.look(product)
 }
 
 struct Search<'a> {
-    records: &'a Records<'a>,
+    records: &'a IfcFile<'a>,
     path: Vec<u32>,
     seen: std::collections::HashSet<u32>,
 }

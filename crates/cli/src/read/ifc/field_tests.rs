@@ -3,20 +3,20 @@
 use std::fmt::Write as _;
 use std::time::Duration;
 
-use super::cut::Random;
+use super::cut::SplitMix64;
 use super::reader::{Limits, Progress};
-use super::told::{Task, Told};
-use super::{Model, Product, assemble, worker};
+use super::told::{Task, WorkerMessage};
+use super::{IfcModel, Product, assemble, worker};
 
 /// Meshes a text within this process.
-pub fn model(bytes: &[u8]) -> Result<Model, String> {
+pub fn model(bytes: &[u8]) -> Result<IfcModel, String> {
     let limits = Limits::default();
     let within =
         worker::WorkerLimits { memory: u64::MAX, product_time: Duration::from_secs(60), product_memory: u64::MAX };
     let mut told = Vec::new();
     worker::tell(bytes.to_vec(), &Task::default(), within, &mut told)?;
     let (mut progress, mut from) = (Progress::default(), &told[..]);
-    while let Some(piece) = Told::read(&mut from, u64::MAX).map_err(|e| e.to_string())? {
+    while let Some(piece) = WorkerMessage::read(&mut from, u64::MAX).map_err(|e| e.to_string())? {
         progress.take(piece, limits).map_err(|e| e.to_string())?;
     }
     assemble::model(progress).map_err(|e| format!("{e:#}"))
@@ -77,7 +77,7 @@ fn the_fields_files() {
 
 #[test]
 fn names_are_readable_and_shapes_have_their_width() {
-    let wall = File::new().wall(&Wall { openings: vec![], ..Wall::random(&mut Random(1)) }).text();
+    let wall = File::new().wall(&Wall { openings: vec![], ..Wall::random(&mut SplitMix64(1)) }).text();
     let named = wall.replace("'wall'", "'W\u{1}nde'").into_bytes();
     let named: Vec<u8> = named.into_iter().map(|b| if b == 1 { 0xE4 } else { b }).collect();
     assert_eq!(model(&named).unwrap().products[0].name, "Wände");
@@ -96,7 +96,7 @@ struct Wall {
 
 impl Wall {
     /// 0 to 180 degrees, dense near the axes; 1 to 3 recesses, up to 3 windows, half of which overlap them.
-    fn random(random: &mut Random) -> Self {
+    fn random(random: &mut SplitMix64) -> Self {
         let mut from = |low: f64, high: f64| low + (high - low) * random.number();
         let axis = [0.0, 90.0, 180.0][from(0.0, 2.999) as usize];
         let sign = from(-1.0, 1.0).signum();
@@ -233,7 +233,7 @@ fn what_cannot_be_judged_is_marked() {
 /// Of 200 walls at most 4 may be marked instead of right, none may be wrong without a mark.
 #[test]
 fn recesses_and_windows() {
-    let mut random = Random(7);
+    let mut random = SplitMix64(7);
     let walls: Vec<Wall> = (0..200).map(|_| Wall::random(&mut random)).collect();
     let file = walls.iter().fold(File::new(), File::wall);
     let model = model(file.text().as_bytes()).unwrap();

@@ -226,7 +226,7 @@ impl Meshing {
     fn loss(&self, id: u32, note: Option<String>, is_degenerate: bool) -> Option<String> {
         const POINTS: &str = "all its triangles are points or lines: its coordinates are too large beside its size, or \
             its faces have no area";
-        let found = diagnose::of(&diagnose::Records { text: self.text, index: &self.index }, id);
+        let found = diagnose::of(&diagnose::IfcFile { text: self.text, index: &self.index }, id);
         let said = found.map(|f| format!("it cannot be meshed: {f}")).or(is_degenerate.then(|| POINTS.into()));
         said.or(note)
     }

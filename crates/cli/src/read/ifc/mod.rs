@@ -69,7 +69,7 @@ pub struct Product {
 
 /// What an IFC file holds.
 #[derive(Debug, Default)]
-pub struct Model {
+pub struct IfcModel {
     pub products: Vec<Product>,
     /// Products with a body that could not be meshed: name and reason. They are among the products, without a mesh.
     pub unmeshed: Vec<(String, String)>,
@@ -90,7 +90,7 @@ pub struct Model {
     pub warnings: Vec<String>,
 }
 
-impl Model {
+impl IfcModel {
     /// The user's unit counts where the file declares none; metres were assumed in that case.
     pub fn in_unit(mut self, given: Option<Unit>) -> Result<Self> {
         let Some(unit) = given else { return Ok(self) };

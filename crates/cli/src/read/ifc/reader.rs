@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail};
 
-use super::told::{Header, Outcome, Task, Told};
-use super::{Model, assemble, watch};
+use super::told::{IfcHeader, Outcome, Task, WorkerMessage};
+use super::{IfcModel, assemble, watch};
 use crate::memory;
 use crate::read::child::{epitaph, spawn};
 
@@ -39,7 +39,7 @@ impl Default for Limits {
 /// What is known about a model so far.
 #[derive(Default)]
 pub struct Progress {
-    pub header: Option<Header>,
+    pub header: Option<IfcHeader>,
     pub outcomes: BTreeMap<u32, std::result::Result<Outcome, String>>,
     /// Time of meshing and of its checks.
     pub times: Option<(Duration, Duration)>,
@@ -48,7 +48,7 @@ pub struct Progress {
 }
 
 /// Meshes a file in child processes of this program.
-pub fn read(path: &Path, limits: Limits) -> Result<Model> {
+pub fn read(path: &Path, limits: Limits) -> Result<IfcModel> {
     std::fs::metadata(path).with_context(|| format!("{}: cannot open it", path.display()))?;
     let told = collect(path, limits);
     told.and_then(assemble::model).with_context(|| format!("{}", path.display()))
@@ -79,7 +79,7 @@ fn collect(path: &Path, limits: Limits) -> Result<Progress> {
 struct Worker {
     child: Child,
     words: Option<std::thread::JoinHandle<String>>,
-    told: Receiver<Result<Option<Told>>>,
+    told: Receiver<Result<Option<WorkerMessage>>>,
 }
 
 impl Worker {
@@ -106,7 +106,7 @@ impl Worker {
         std::thread::spawn(move || {
             let mut pipe = BufReader::with_capacity(1 << 18, pipe);
             loop {
-                let next = Told::read(&mut pipe, most);
+                let next = WorkerMessage::read(&mut pipe, most);
                 let is_last = !matches!(next, Ok(Some(_)));
                 if send.send(next).is_err() || is_last {
                     return;
@@ -130,8 +130,8 @@ impl Worker {
             };
             match told {
                 None => return self.died(limits).map(Some),
-                Some(Told::Refused(reason)) => bail!(reason),
-                Some(Told::End { meshing, checks }) => {
+                Some(WorkerMessage::Refused(reason)) => bail!(reason),
+                Some(WorkerMessage::End { meshing, checks }) => {
                     progress.times = Some((meshing, checks));
                     return Ok(None);
                 }
@@ -161,11 +161,11 @@ impl Drop for Worker {
 }
 
 impl Progress {
-    pub(super) fn take(&mut self, told: Told, limits: Limits) -> Result<()> {
+    pub(super) fn take(&mut self, told: WorkerMessage, limits: Limits) -> Result<()> {
         match told {
-            Told::Header(header) => self.header = Some(*header),
-            Told::Begun(id) => drop(self.running.insert(id)),
-            Told::Meshed(id, outcome) => {
+            WorkerMessage::Header(header) => self.header = Some(*header),
+            WorkerMessage::Begun(id) => drop(self.running.insert(id)),
+            WorkerMessage::Meshed(id, outcome) => {
                 self.bytes += 24 * outcome.soup.vertices.len() as u64 + 12 * outcome.soup.triangles.len() as u64;
                 if self.bytes > limits.memory / 4 {
                     bail!("its meshes take more than a quarter of --max-memory {}", memory::shown(limits.memory));
@@ -173,11 +173,11 @@ impl Progress {
                 self.running.remove(&id);
                 self.outcomes.insert(id, Ok(outcome));
             }
-            Told::Failed(id, reason) => {
+            WorkerMessage::Failed(id, reason) => {
                 self.running.remove(&id);
                 self.outcomes.insert(id, Err(reason));
             }
-            Told::End { .. } | Told::Refused(_) => {}
+            WorkerMessage::End { .. } | WorkerMessage::Refused(_) => {}
         }
         Ok(())
     }

@@ -83,9 +83,9 @@ impl Soup {
     }
 
     /// The outward vector perpendicular to a triangle, twice its area long.
-    pub fn normal(&self, triangle: usize) -> [f64; 3] {
+    pub fn normal(&self, triangle: usize) -> Vec3 {
         let [a, b, c] = self.corners(triangle).map(Vec3::from);
-        (b - a).cross(&(c - a)).into()
+        (b - a).cross(&(c - a))
     }
 
     /// The box around it; inside out for an empty mesh.

@@ -1,6 +1,6 @@
 //! How products are connected in a file: representations, units, missing records, products at impossible places.
 
-use super::Model;
+use super::IfcModel;
 use super::field_tests::{File, model, volume};
 
 /// A file with a wall of 2.4 m³, and the number of its shape.
@@ -12,7 +12,7 @@ fn wall() -> (File, u32) {
 }
 
 /// The wall, and another product of this shape.
-fn with(shape: &str) -> Model {
+fn with(shape: &str) -> IfcModel {
     let (mut file, _) = wall();
     file.add(format_args!("IFCWALL('bad',$,'bad',$,$,$,{shape},$,$)"));
     model(file.text().as_bytes()).unwrap()

@@ -23,7 +23,7 @@ pub type Drafts = BTreeMap<u32, Draft>;
 
 /// The file before any mesh.
 #[derive(Debug, Default, Serialize, Deserialize)]
-pub struct Header {
+pub struct IfcHeader {
     pub drafts: Drafts,
     pub whole_of: HashMap<u32, u32>,
     pub left_out: BTreeMap<String, u64>,
@@ -44,8 +44,8 @@ pub struct Outcome {
 }
 
 #[derive(Debug, Serialize, Deserialize)]
-pub enum Told {
-    Header(Box<Header>),
+pub enum WorkerMessage {
+    Header(Box<IfcHeader>),
     /// A product is being meshed.
     Begun(u32),
     Meshed(u32, Outcome),
@@ -60,7 +60,7 @@ pub enum Told {
     Refused(String),
 }
 
-impl Told {
+impl WorkerMessage {
     pub fn write(&self, out: &mut impl Write) -> Result<()> {
         let bytes = postcard::to_stdvec(self)?;
         out.write_all(&(bytes.len() as u64).to_be_bytes())?;

@@ -15,7 +15,7 @@ use super::attributes;
 use super::cut::{Cut, Cutter};
 use super::meshing::{Meshing, Warm};
 use super::step::Step;
-use super::told::{Header, Outcome, Task, Told};
+use super::told::{IfcHeader, Outcome, Task, WorkerMessage};
 use super::watch;
 use crate::memory;
 use crate::read::silence_panics;
@@ -50,8 +50,10 @@ pub fn answer(path: &Path, limits: WorkerLimits) -> Result<()> {
     });
     match told {
         Ok(Ok(())) => {}
-        Ok(Err(reason)) => Told::Refused(reason).write(&mut out)?,
-        Err(_) => Told::Refused("the geometry library gave up on it: the file is damaged".into()).write(&mut out)?,
+        Ok(Err(reason)) => WorkerMessage::Refused(reason).write(&mut out)?,
+        Err(_) => {
+            WorkerMessage::Refused("the geometry library gave up on it: the file is damaged".into()).write(&mut out)?
+        }
     }
     out.flush()?;
     // Threads that do not end must not keep it.
@@ -85,18 +87,18 @@ pub(super) fn tell(
         let words = step.words.iter().cloned().chain(word).collect();
         let (whole_of, left_out, map_conversion) =
             (relations.whole_of, attributes.left_out, step.map_conversion.clone());
-        let header = Header { drafts, whole_of, left_out, words, map_conversion, length_unit };
-        Told::Header(Box::new(header)).write(out).map_err(|e| e.to_string())?;
+        let header = IfcHeader { drafts, whole_of, left_out, words, map_conversion, length_unit };
+        WorkerMessage::Header(Box::new(header)).write(out).map_err(|e| e.to_string())?;
     }
     let cutter = Arc::new(Cutter::new(meshing, text, step.angle));
     let skipped: HashSet<u32> = task.done.iter().chain(&task.alone).copied().collect();
     let rest: Vec<u32> = with_body.into_iter().filter(|id| !skipped.contains(id)).collect();
     let mut times = (Duration::ZERO, Duration::ZERO);
     for (ids, threads) in [(task.alone.clone(), 1), (rest, threads(limits.memory))] {
-        let mut crew = WorkerPool::new(&cutter, ids, limits);
+        let mut crew = MeshingPool::new(&cutter, ids, limits);
         crew.run(threads, &notes, &mut times, out).map_err(|e| e.to_string())?;
     }
-    Told::End { meshing: times.0, checks: times.1 }.write(out).map_err(|e| e.to_string())
+    WorkerMessage::End { meshing: times.0, checks: times.1 }.write(out).map_err(|e| e.to_string())
 }
 
 /// As many threads as there are cores; but their deep stacks, twice as many with the library's own, count as memory and
@@ -108,18 +110,18 @@ fn threads(memory: u64) -> usize {
 }
 
 /// What a thread reports.
-enum Report {
+enum ThreadReport {
     Begun(u32),
     /// `None` where the library gave up.
     Done(u32, Option<Box<Cut>>, Duration),
 }
 
 /// Threads that share a queue of products.
-struct WorkerPool {
+struct MeshingPool {
     cutter: Arc<Cutter>,
     queue: Arc<Mutex<VecDeque<u32>>>,
     limits: WorkerLimits,
-    reports: (Sender<Report>, Receiver<Report>),
+    reports: (Sender<ThreadReport>, Receiver<ThreadReport>),
     /// Since when each product has been in work, and how much memory the process held then.
     running: HashMap<u32, (Instant, u64)>,
     left: usize,
@@ -127,7 +129,7 @@ struct WorkerPool {
     lost: HashSet<u32>,
 }
 
-impl WorkerPool {
+impl MeshingPool {
     fn new(cutter: &Arc<Cutter>, ids: Vec<u32>, limits: WorkerLimits) -> Self {
         Self {
             cutter: cutter.clone(),
@@ -174,30 +176,33 @@ impl WorkerPool {
 
     fn take(
         &mut self,
-        report: Report,
+        report: ThreadReport,
         notes: &HashMap<u32, String>,
         times: &mut (Duration, Duration),
         out: &mut impl Write,
     ) -> Result<()> {
         match report {
-            Report::Begun(id) => {
+            ThreadReport::Begun(id) => {
                 self.running.insert(id, (Instant::now(), watch::resident()));
-                Told::Begun(id).write(out)
+                WorkerMessage::Begun(id).write(out)
             }
-            Report::Done(id, ..) if self.lost.contains(&id) => Ok(()),
-            Report::Done(id, cut, time) => {
+            ThreadReport::Done(id, ..) if self.lost.contains(&id) => Ok(()),
+            ThreadReport::Done(id, cut, time) => {
                 self.running.remove(&id);
                 self.left -= 1;
                 times.0 += time;
                 let Some(cut) = cut else {
-                    return Told::Failed(id, "the geometry library gave up on it: its geometry is damaged".into())
-                        .write(out);
+                    return WorkerMessage::Failed(
+                        id,
+                        "the geometry library gave up on it: its geometry is damaged".into(),
+                    )
+                    .write(out);
                 };
                 times.1 += cut.check;
                 let said = cut.meshed.note.into_iter().chain(notes.get(&id).cloned()).collect::<Vec<_>>();
                 let note = (!said.is_empty()).then(|| said.join("; "));
                 let outcome = Outcome { soup: cut.meshed.soup, note, unproven: cut.unproven, mended: cut.mended };
-                Told::Meshed(id, outcome).write(out)
+                WorkerMessage::Meshed(id, outcome).write(out)
             }
         }
     }
@@ -215,7 +220,7 @@ impl WorkerPool {
                 "meshing it took longer than {} s; raise --product-timeout, or simplify its geometry",
                 limit.as_secs_f64()
             );
-            Told::Failed(id, reason).write(out)?;
+            WorkerMessage::Failed(id, reason).write(out)?;
             self.hire()?;
         }
         Ok(())
@@ -229,12 +234,12 @@ impl WorkerPool {
                 let next = queue.lock().unwrap_or_else(PoisonError::into_inner).pop_front();
                 let Some(id) = next else { return };
                 let start = Instant::now();
-                if reports.send(Report::Begun(id)).is_err() {
+                if reports.send(ThreadReport::Begun(id)).is_err() {
                     return;
                 }
                 let mesh = std::panic::AssertUnwindSafe(|| cutter.mesh(id, &mut warm));
                 let cut = std::panic::catch_unwind(mesh).ok().map(Box::new);
-                if reports.send(Report::Done(id, cut, start.elapsed())).is_err() {
+                if reports.send(ThreadReport::Done(id, cut, start.elapsed())).is_err() {
                     return;
                 }
             }

@@ -15,14 +15,14 @@ use asbuilt_core::scan::{Beam, Beams};
 use indicatif::ProgressBar;
 use las::{Header, PointData, PointDataBuilder, Reader, ReaderOptions};
 
-use super::{Facts, ReadOptions, Sink, scan_of_content};
+use super::{Facts, ReadOptions, ScanSink, scan_of_content};
 
 /// Points read at a time: several LAZ chunks, so that they decompress in parallel; fewer if records are long.
 const AT_ONCE: u64 = 500_000;
 const BYTES_AT_ONCE: u64 = 64 << 20;
 
 /// Reads all points except those withheld and, unless they are wanted, noise.
-pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
+pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
     let (mut file, mut notes) = mend::open(File::open(path).context("cannot open it")?)?;
     let check::Checked { count, parallelism, more } = check::check(&mut file)?;
     file.rewind()?;

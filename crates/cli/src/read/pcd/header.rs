@@ -15,7 +15,7 @@ pub enum Storage {
 
 /// One field of every point.
 #[derive(Debug, Clone)]
-pub struct Field {
+pub struct PcdField {
     pub name: String,
     /// `F`, `I` or `U`.
     pub kind: char,
@@ -24,15 +24,15 @@ pub struct Field {
     pub count: usize,
 }
 
-impl Field {
+impl PcdField {
     pub fn bytes(&self) -> usize {
         self.size * self.count
     }
 }
 
 #[derive(Debug)]
-pub struct Header {
-    pub fields: Vec<Field>,
+pub struct PcdHeader {
+    pub fields: Vec<PcdField>,
     pub points: u64,
     /// Place, and rotation as a quaternion w, x, y, z.
     pub viewpoint: [f64; 7],
@@ -42,7 +42,7 @@ pub struct Header {
 /// Longest record of any real file.
 const MAX_RECORD: usize = 1 << 16;
 
-impl Header {
+impl PcdHeader {
     /// Reads up to and with the line DATA.
     pub fn read(lines: &mut Lines) -> Result<Self> {
         let (mut rows, mut storage) = (Vec::new(), None);
@@ -69,7 +69,7 @@ impl Header {
 
     /// Bytes of a point.
     pub fn record(&self) -> usize {
-        self.fields.iter().map(Field::bytes).sum()
+        self.fields.iter().map(PcdField::bytes).sum()
     }
 
     /// The field of a name, in any case; the first where there are several.
@@ -89,7 +89,7 @@ fn stored(word: &str, line: u64) -> Result<Storage> {
     }
 }
 
-fn fields<'a>(values: &impl Fn(&str) -> Option<&'a [String]>) -> Result<Vec<Field>> {
+fn fields<'a>(values: &impl Fn(&str) -> Option<&'a [String]>) -> Result<Vec<PcdField>> {
     // Version 0.5 calls them COLUMNS.
     let names = values("FIELDS").or_else(|| values("COLUMNS")).context("its header has no FIELDS")?;
     let numbers = |keyword: &str, default: usize| -> Result<Vec<usize>> {
@@ -104,19 +104,19 @@ fn fields<'a>(values: &impl Fn(&str) -> Option<&'a [String]>) -> Result<Vec<Fiel
     if kinds.len() != names.len() {
         bail!("TYPE names {} types of {} FIELDS", kinds.len(), names.len());
     }
-    let field = |i: usize| Field {
+    let field = |i: usize| PcdField {
         name: names[i].clone(),
         kind: kinds[i].to_ascii_uppercase(),
         size: sizes[i],
         count: counts[i],
     };
-    let all: Vec<Field> = (0..names.len()).map(field).collect();
+    let all: Vec<PcdField> = (0..names.len()).map(field).collect();
     for f in &all {
         if !matches!((f.kind, f.size), ('F', 4 | 8) | ('I' | 'U', 1 | 2 | 4 | 8)) || f.count > MAX_RECORD {
             bail!("field {} has TYPE {}, SIZE {} and COUNT {}, which no PCD has", f.name, f.kind, f.size, f.count);
         }
     }
-    let record: usize = all.iter().map(Field::bytes).sum();
+    let record: usize = all.iter().map(PcdField::bytes).sum();
     if record == 0 || record > MAX_RECORD {
         bail!("a point of {record} bytes is no point");
     }

@@ -15,13 +15,13 @@ use indicatif::ProgressBar;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::text::Lines;
-use super::{Facts, RawScan, ReadOptions, Sink, scan_of_points};
-use header::{Field, Header, Storage};
+use super::{Facts, RawScan, ReadOptions, ScanSink, scan_of_points};
+use header::{PcdField, PcdHeader, Storage};
 
 /// Reads all points.
-pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
+pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
     let mut lines = Lines::open(path, bar)?.with_decimal_commas(options.decimal_comma);
-    let header = Header::read(&mut lines)?;
+    let header = PcdHeader::read(&mut lines)?;
     let places = [header.place("x")?, header.place("y")?, header.place("z")?];
     bar.set_length(header.points);
     let (points, has_more) = match header.storage {
@@ -85,7 +85,7 @@ fn behind_header(path: &Path) -> Result<BufReader<File>> {
 }
 
 /// The points, and whether anything follows them.
-fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBar) -> Result<(Vec<Vec3>, bool)> {
+fn ascii(mut lines: Lines, header: &PcdHeader, places: [usize; 3], bar: &ProgressBar) -> Result<(Vec<Vec3>, bool)> {
     // A field of several values takes as many words.
     let words_before = |place: usize| header.fields[..place].iter().map(|f| f.count).sum::<usize>();
     let places = places.map(words_before);
@@ -111,7 +111,7 @@ fn ascii(mut lines: Lines, header: &Header, places: [usize; 3], bar: &ProgressBa
 
 fn binary(
     mut file: BufReader<File>,
-    header: &Header,
+    header: &PcdHeader,
     places: [usize; 3],
     bar: &ProgressBar,
 ) -> Result<(Vec<Vec3>, bool)> {
@@ -119,7 +119,7 @@ fn binary(
     if u128::from(header.points) * header.record() as u128 > u128::from(room) {
         bail!("its header promises {} points, more than the file holds", header.points);
     }
-    let at = |place: usize| header.fields[..place].iter().map(Field::bytes).sum::<usize>();
+    let at = |place: usize| header.fields[..place].iter().map(PcdField::bytes).sum::<usize>();
     let starts = places.map(at);
     let mut record = vec![0; header.record()];
     let mut points = Vec::with_capacity(header.points as usize);
@@ -137,7 +137,7 @@ fn binary(
 }
 
 /// All values of a field are stored together.
-fn compressed(mut file: BufReader<File>, header: &Header, places: [usize; 3]) -> Result<Vec<Vec3>> {
+fn compressed(mut file: BufReader<File>, header: &PcdHeader, places: [usize; 3]) -> Result<Vec<Vec3>> {
     let room = room(&mut file)?;
     let mut sizes = [0; 8];
     file.read_exact(&mut sizes).context("it ends before its points")?;
@@ -156,7 +156,7 @@ fn compressed(mut file: BufReader<File>, header: &Header, places: [usize; 3]) ->
         bail!("its compressed points are damaged: {} bytes of {unpacked}", all.len());
     }
     let points = header.points as usize;
-    let start = |place: usize| header.fields[..place].iter().map(Field::bytes).sum::<usize>() * points;
+    let start = |place: usize| header.fields[..place].iter().map(PcdField::bytes).sum::<usize>() * points;
     let value = |axis: usize, i: usize| {
         let field = &header.fields[places[axis]];
         number(field, &all[start(places[axis]) + i * field.bytes()..])
@@ -172,7 +172,7 @@ fn room(file: &mut BufReader<File>) -> Result<u64> {
 }
 
 /// The first value of a field.
-fn number(field: &Field, bytes: &[u8]) -> f64 {
+fn number(field: &PcdField, bytes: &[u8]) -> f64 {
     let word = || u64::from_le_bytes(std::array::from_fn(|k| if k < field.size { bytes[k] } else { 0 }));
     match (field.kind, field.size) {
         ('F', 4) => f64::from(f32::from_bits(word() as u32)),

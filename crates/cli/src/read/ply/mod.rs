@@ -16,7 +16,7 @@ use ply_rs_bw::ply::{
 };
 
 use super::text::Lines;
-use super::{Facts, ReadOptions, Sink, scan_of_points};
+use super::{Facts, ReadOptions, ScanSink, scan_of_points};
 
 struct Vertex([f64; 3]);
 
@@ -50,7 +50,7 @@ impl PropertyAccess for Skipped {
 }
 
 /// Reads the vertices.
-pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: Sink) -> Result<()> {
+pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
     let mut file = BufReader::with_capacity(1 << 20, File::open(path).context("cannot open it")?);
     let length = file.get_ref().metadata()?.len();
     let (header, lines) = header::read(&mut file)?;

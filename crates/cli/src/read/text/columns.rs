@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 /// What a column holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Column {
+pub enum ColumnRole {
     Skip,
     /// The point's number or name.
     Number,
@@ -17,21 +17,21 @@ pub enum Column {
     Blue,
 }
 
-const LETTERS: [(&str, Column); 9] = [
-    ("-", Column::Skip),
-    ("n", Column::Number),
-    ("x", Column::X),
-    ("y", Column::Y),
-    ("z", Column::Z),
-    ("i", Column::Intensity),
-    ("r", Column::Red),
-    ("g", Column::Green),
-    ("b", Column::Blue),
+const LETTERS: [(&str, ColumnRole); 9] = [
+    ("-", ColumnRole::Skip),
+    ("n", ColumnRole::Number),
+    ("x", ColumnRole::X),
+    ("y", ColumnRole::Y),
+    ("z", ColumnRole::Z),
+    ("i", ColumnRole::Intensity),
+    ("r", ColumnRole::Red),
+    ("g", ColumnRole::Green),
+    ("b", ColumnRole::Blue),
 ];
 
 /// The columns in their order.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Columns(Vec<Column>);
+pub struct Columns(Vec<ColumnRole>);
 
 impl FromStr for Columns {
     type Err = String;
@@ -63,7 +63,7 @@ impl FromStr for Columns {
 
 impl std::fmt::Display for Columns {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let letter = |c: &Column| LETTERS.iter().find(|(_, other)| other == c).map_or("-", |(letter, _)| *letter);
+        let letter = |c: &ColumnRole| LETTERS.iter().find(|(_, other)| other == c).map_or("-", |(letter, _)| *letter);
         f.write_str(&self.0.iter().map(letter).collect::<Vec<_>>().join(","))
     }
 }
@@ -71,21 +71,21 @@ impl std::fmt::Display for Columns {
 impl Columns {
     /// Coordinates first, the rest skipped.
     pub fn plain() -> Self {
-        Self(vec![Column::X, Column::Y, Column::Z])
+        Self(vec![ColumnRole::X, ColumnRole::Y, ColumnRole::Z])
     }
 
     /// The position of a column.
-    pub fn place(&self, column: Column) -> Option<usize> {
+    pub fn place(&self, column: ColumnRole) -> Option<usize> {
         self.0.iter().position(|c| *c == column)
     }
 
     /// Positions of x, y, z.
     pub fn coordinates(&self) -> Option<[usize; 3]> {
-        Some([self.place(Column::X)?, self.place(Column::Y)?, self.place(Column::Z)?])
+        Some([self.place(ColumnRole::X)?, self.place(ColumnRole::Y)?, self.place(ColumnRole::Z)?])
     }
 
     /// Columns as a title names them.
-    pub fn of(columns: Vec<Column>) -> Self {
+    pub fn of(columns: Vec<ColumnRole>) -> Self {
         Self(columns)
     }
 

@@ -1,7 +1,7 @@
 //! How a file writes its numbers: what separates them, and what a comma within one means.
 
 use super::columns::Width;
-use super::number::{Form, form, has_points, may_have_points, without_marks};
+use super::number::{CommaReading, form, has_points, may_have_points, without_marks};
 
 pub use super::number::Comma;
 
@@ -61,8 +61,8 @@ impl Dialect {
             for word in self.words(line).into_iter().take(3) {
                 self.points |= has_points(word) && (word.contains(',') || self.comma == Some(Comma::Decimal));
                 match (form(word), self.comma) {
-                    (Form::Certain(new), None) => self.comma = Some(new),
-                    (Form::Certain(new), Some(known)) if new != known => return None,
+                    (CommaReading::Certain(new), None) => self.comma = Some(new),
+                    (CommaReading::Certain(new), Some(known)) if new != known => return None,
                     _ => {}
                 }
             }
@@ -106,11 +106,11 @@ impl Dialect {
             }
         }
         match (form(&word), self.comma) {
-            (Form::Plain, _) => word.parse().ok(),
-            (Form::Ambiguous | Form::Certain(Comma::Decimal), Some(Comma::Decimal)) => {
+            (CommaReading::Plain, _) => word.parse().ok(),
+            (CommaReading::Ambiguous | CommaReading::Certain(Comma::Decimal), Some(Comma::Decimal)) => {
                 word.replace(',', ".").parse().ok()
             }
-            (Form::Ambiguous | Form::Certain(Comma::Thousands), Some(Comma::Thousands)) => {
+            (CommaReading::Ambiguous | CommaReading::Certain(Comma::Thousands), Some(Comma::Thousands)) => {
                 word.replace(',', "").parse().ok()
             }
             _ => None,
@@ -173,7 +173,7 @@ pub fn numbers<const N: usize>(line: &str) -> Option<[f64; N]> {
 
 /// Whether a word's commas, if it has any, can be read in two ways.
 pub fn is_ambiguous(word: &str) -> bool {
-    form(word) == Form::Ambiguous
+    form(word) == CommaReading::Ambiguous
 }
 
 /// The message about a line whose commas or points are not understood.
@@ -204,7 +204,7 @@ fn separator(line: &str) -> Separator {
     }
     let blank = Dialect::default();
     let words = blank.words(line);
-    let are_numbers = words.len() >= 3 && words[..3].iter().all(|w| form(w) != Form::NoNumber);
+    let are_numbers = words.len() >= 3 && words[..3].iter().all(|w| form(w) != CommaReading::NoNumber);
     if are_numbers { Separator::Blank } else { Separator::Comma }
 }
 

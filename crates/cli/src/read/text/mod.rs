@@ -8,7 +8,7 @@ pub mod lines;
 mod number;
 pub mod title;
 
-pub use columns::{Column, Columns};
+pub use columns::{ColumnRole, Columns};
 pub use dialect::{Dialect, numbers};
 pub use head::Head;
 pub use lines::Lines;

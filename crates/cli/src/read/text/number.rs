@@ -9,7 +9,7 @@ pub enum Comma {
 
 /// What the commas of a word mean.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum CommaReading {
     Plain,
     Certain(Comma),
     /// `1,234`: either.
@@ -50,23 +50,23 @@ pub fn has_points(word: &str) -> bool {
     }
 }
 
-pub fn form(word: &str) -> Form {
+pub fn form(word: &str) -> CommaReading {
     let digits = without_sign(word);
     if !digits.contains(',') {
-        return Form::Plain;
+        return CommaReading::Plain;
     }
     if has_points(digits) {
-        return Form::Certain(Comma::Decimal);
+        return CommaReading::Certain(Comma::Decimal);
     }
     let (whole, decimals) = digits.split_once('.').map_or((digits, None), |(w, d)| (w, Some(d)));
     let commas = whole.matches(',').count();
     match (commas, is_grouped(whole, ','), decimals) {
-        (1, true, None) => Form::Ambiguous,
+        (1, true, None) => CommaReading::Ambiguous,
         (_, true, d) if d.is_none_or(|d| all_digits(&d.replace(['e', 'E', '+', '-'], ""))) => {
-            Form::Certain(Comma::Thousands)
+            CommaReading::Certain(Comma::Thousands)
         }
-        (1, _, None) if digits.replace(',', ".").parse::<f64>().is_ok() => Form::Certain(Comma::Decimal),
-        _ => Form::NoNumber,
+        (1, _, None) if digits.replace(',', ".").parse::<f64>().is_ok() => CommaReading::Certain(Comma::Decimal),
+        _ => CommaReading::NoNumber,
     }
 }
 

@@ -1,6 +1,6 @@
 //! What a title says of the columns: which holds what, and in which unit.
 
-use super::columns::{Column, Columns, Width};
+use super::columns::{ColumnRole, Columns, Width};
 use super::dialect::unquoted;
 use crate::read::unit::Unit;
 
@@ -16,7 +16,7 @@ pub struct Title {
 /// What a word of a title means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Meaning {
-    Is(Column),
+    Is(ColumnRole),
     East,
     North,
     /// North if an east stands beside it, otherwise a number.
@@ -91,25 +91,25 @@ fn judged(cells: &[String], meanings: &[Meaning], fits: bool, row: Width) -> Res
 
 /// Whether x, y and z are named once each.
 fn once(meanings: &[Meaning]) -> bool {
-    let count = |c: Column| meanings.iter().filter(|m| column(**m) == c).count();
-    [Column::X, Column::Y, Column::Z].into_iter().all(|c| count(c) == 1)
+    let count = |c: ColumnRole| meanings.iter().filter(|m| column(**m) == c).count();
+    [ColumnRole::X, ColumnRole::Y, ColumnRole::Z].into_iter().all(|c| count(c) == 1)
 }
 
-fn column(meaning: Meaning) -> Column {
+fn column(meaning: Meaning) -> ColumnRole {
     match meaning {
         Is(column) => column,
-        East => Column::X,
-        North => Column::Y,
-        _ => Column::Skip,
+        East => ColumnRole::X,
+        North => ColumnRole::Y,
+        _ => ColumnRole::Skip,
     }
 }
 
 fn resolve_n(meanings: &mut [Meaning]) {
-    let is_north = meanings.contains(&East) && !meanings.iter().any(|m| matches!(m, North | Is(Column::Y)));
+    let is_north = meanings.contains(&East) && !meanings.iter().any(|m| matches!(m, North | Is(ColumnRole::Y)));
     let resolved = if is_north { North } else { Aside };
     meanings.iter_mut().filter(|m| **m == N).for_each(|m| *m = resolved);
     // What is named twice beside the coordinates is not told.
-    for twice in [Column::Intensity, Column::Red, Column::Green, Column::Blue] {
+    for twice in [ColumnRole::Intensity, ColumnRole::Red, ColumnRole::Green, ColumnRole::Blue] {
         if meanings.iter().filter(|m| **m == Is(twice)).count() > 1 {
             meanings.iter_mut().filter(|m| **m == Is(twice)).for_each(|m| *m = Aside);
         }
@@ -118,16 +118,16 @@ fn resolve_n(meanings: &mut [Meaning]) {
 
 fn meaning(name: &str) -> Meaning {
     match name {
-        "x" => Is(Column::X),
-        "y" => Is(Column::Y),
-        "z" | "elevation" | "elev" | "height" | "altitude" | "alt" | "h" | "hoehe" | "höhe" => Is(Column::Z),
+        "x" => Is(ColumnRole::X),
+        "y" => Is(ColumnRole::Y),
+        "z" | "elevation" | "elev" | "height" | "altitude" | "alt" | "h" | "hoehe" | "höhe" => Is(ColumnRole::Z),
         "easting" | "east" | "e" | "rechtswert" | "rechts" | "ost" | "ostwert" => East,
         "northing" | "north" | "hochwert" | "hoch" | "nord" | "nordwert" => North,
         "n" => N,
-        "i" | "intensity" | "reflectance" => Is(Column::Intensity),
-        "r" | "red" => Is(Column::Red),
-        "g" | "green" => Is(Column::Green),
-        "b" | "blue" => Is(Column::Blue),
+        "i" | "intensity" | "reflectance" => Is(ColumnRole::Intensity),
+        "r" | "red" => Is(ColumnRole::Red),
+        "g" | "green" => Is(ColumnRole::Green),
+        "b" | "blue" => Is(ColumnRole::Blue),
         "lat" | "latitude" | "lon" | "lng" | "long" | "longitude" => Angle,
         "id" | "nr" | "no" | "num" | "number" | "p" | "pt" | "pnt" | "point" | "pointid" | "pointno" | "pointnr"
         | "pointnumber" | "pointname" | "pid" | "punkt" | "punktnummer" | "punktnr" | "punktname" | "name" | "row"

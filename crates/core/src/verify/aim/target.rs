@@ -99,3 +99,57 @@ impl Ball {
         Self { centre, radius: corners().map(|c| (c - centre).norm()).fold(0.0, f64::max) }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::NEVER;
+    use proptest::prelude::*;
+
+    fn shared_corners(a: &TargetTriangle, b: &TargetTriangle) -> usize {
+        a.corners.iter().filter(|c| b.corners.iter().any(|d| (*c - d).norm() < 1e-9)).count()
+    }
+
+    /// Across blunt edges the surface goes on, and back; across sharp ones it ends.
+    #[test]
+    fn neighbours_are_those_that_a_search_finds() {
+        let column = Solid::cylinder([0.0; 3], 0.2, 3.0, 48).unwrap();
+        let cube = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap();
+        for (solid, lateral_edges) in [(column, 3), (cube, 1)] {
+            let target = Target::new(&solid, NEVER).unwrap();
+            let all = &target.triangles;
+            for (i, t) in all.iter().enumerate() {
+                let mut found: Vec<u32> = t.neighbours.into_iter().filter(|n| *n != TargetTriangle::NONE).collect();
+                found.sort_unstable();
+                let goes_on = |(j, u): &(usize, &TargetTriangle)| {
+                    *j != i && shared_corners(t, u) == 2 && t.normal.dot(&u.normal) >= BLUNT_EDGE_COS
+                };
+                let searched: Vec<u32> = all.iter().enumerate().filter(goes_on).map(|(j, _)| j as u32).collect();
+                assert_eq!(found, searched, "triangle {i}");
+                assert!(found.len() <= lateral_edges && !found.is_empty());
+                for (k, &n) in t.neighbours.iter().enumerate().filter(|(_, n)| **n != TargetTriangle::NONE) {
+                    assert!(all[n as usize].neighbours.contains(&(i as u32)));
+                    let [a, b] = [k, (k + 1) % 3].map(|c| t.corners[c]);
+                    let has = |c: Vec3| all[n as usize].corners.iter().any(|d| (c - d).norm() < 1e-9);
+                    assert!(has(a) && has(b), "edge {k} of triangle {i}");
+                }
+            }
+        }
+    }
+
+    proptest! {
+        /// No triangle near a point is in a chunk that is left out.
+        #[test]
+        fn chunks_lose_nothing(at in prop::array::uniform3(-1.0..4.0f64), radius in 0.0..1.5f64) {
+            let target = Target::new(&Solid::cylinder([0.0; 3], 0.2, 3.0, 200).unwrap(), NEVER).unwrap();
+            let at = Vec3::from(at);
+            let near = |centre: &Vec3, r: f64| (centre - at).norm() <= r + radius;
+            let found: Vec<usize> = target.chunks(near).flatten().collect();
+            for (t, triangle) in target.triangles.iter().enumerate() {
+                let is_near = triangle.corners.iter().any(|c| (c - at).norm() <= radius);
+                prop_assert!(!is_near || found.contains(&t));
+            }
+            prop_assert_eq!(target.chunks(|_, _| true).flatten().count(), target.triangles.len());
+        }
+    }
+}

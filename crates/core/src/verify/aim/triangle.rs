@@ -43,3 +43,45 @@ impl TargetTriangle {
         a + e * (e.dot(&(point_world - a)) / e.norm_squared().max(1e-24)).clamp(0.0, 1.0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn vector(size: f64) -> impl Strategy<Value = Vec3> {
+        prop::array::uniform3(-size..size).prop_map(Vec3::from)
+    }
+
+    proptest! {
+        /// Against barycentric coordinates and a search along the edges.
+        #[test]
+        fn inside_beyond_and_nearest(corners in prop::array::uniform3(vector(2.0)), point in vector(3.0)) {
+            let [a, b, c] = corners;
+            let n = (b - a).cross(&(c - a));
+            prop_assume!(n.norm() > 0.05);
+            let t = TargetTriangle { corners, normal: n.normalize(), neighbours: [TargetTriangle::NONE; 3] };
+            let foot = t.on_plane(&point);
+            prop_assert!((foot - a).dot(&t.normal).abs() < 1e-9);
+            prop_assert!((point - foot).cross(&t.normal).norm() < 1e-9);
+            // The weight of the corner opposite to each edge.
+            let weight = |k: usize| {
+                let (p, q) = (corners[k], corners[(k + 1) % 3]);
+                (q - p).cross(&(foot - p)).dot(&t.normal) / n.norm()
+            };
+            let weights = [0, 1, 2].map(weight);
+            prop_assume!(weights.iter().all(|w| w.abs() > 1e-6));
+            match t.crossed_edge(&foot) {
+                None => prop_assert!(weights.iter().all(|w| *w > 0.0)),
+                Some(k) => prop_assert!(weights[k] < 0.0),
+            }
+            for k in 0..3 {
+                let (p, q) = (corners[k], corners[(k + 1) % 3]);
+                let nearest = (0..=1000).map(|i| (p + (q - p) * (f64::from(i) / 1000.0) - point).norm());
+                let found = (t.on_edge(k, &point) - point).norm();
+                let brute = nearest.fold(f64::INFINITY, f64::min);
+                prop_assert!(found <= brute + 1e-12 && found >= brute - 0.01, "{found} {brute}");
+            }
+        }
+    }
+}

@@ -63,3 +63,40 @@ pub enum Aim {
     /// To be found out beam by beam.
     Unknown,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scan::{Beam, Beams, PatchSpec, Spacing};
+
+    /// One image where beams start at one place, one a place on a moving platform, else the points that returned.
+    #[test]
+    fn by_where_the_beams_start() {
+        let beam = |i: i32| Beam { offset: Vec3::new(4.0, 0.01 * f64::from(i), 0.0), returned: i % 5 != 0 };
+        let unpacked = |origins: Origins, starts: Option<Vec<Vec3>>| {
+            let spec = PatchSpec {
+                origins,
+                station: 1,
+                origin: Vec3::new(10.0, 0.0, 0.0),
+                spacing: Spacing::of(origins, 2e-3),
+                quantum: 1e-4,
+            };
+            let intensity = Some((0..20).collect());
+            let beams = Beams { starts, intensity, ..Beams::of((0..20).map(beam).collect()) };
+            Unpacked::of(&Patch::pack(&spec, &beams).unwrap().to_bytes(), true).unwrap()
+        };
+        let one = unpacked(Origins::One, None);
+        assert_eq!(one.aimed_beams(), 20);
+        let UnpackedBeams::FromOne(view) = one.beams else { panic!("{:?}", one.beams) };
+        assert!(view.intensities.is_some() && view.ranges.iter().filter(|r| r.is_infinite()).count() == 4);
+        let starts = (0..20).map(|i| Vec3::new(0.0, f64::from(i / 2), 0.0)).collect();
+        let each = unpacked(Origins::Each, Some(starts));
+        assert_eq!(each.aimed_beams(), 0);
+        let UnpackedBeams::FromMany(views) = each.beams else { panic!("{:?}", each.beams) };
+        assert_eq!((views.len(), views.iter().map(RangeImage::len).sum::<usize>()), (10, 20));
+        let unknown = unpacked(Origins::Unknown, None);
+        assert_eq!(unknown.aimed_beams(), 0);
+        let UnpackedBeams::Points(points) = unknown.beams else { panic!("{:?}", unknown.beams) };
+        assert_eq!(points.len(), 16);
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::point_index::PointIndex;
 use crate::geometry::{Solid, Vec3};
-use crate::scan::{Origins, PatchHeader, RangeImage};
+use crate::scan::{PatchHeader, RangeImage, Spacing, Vicinity};
 use crate::verify::aim::{
     Aim, AimedAt, BeamCrossing, Claims, OtherObjects, Target, Unpacked, UnpackedBeams, crossings,
 };
@@ -59,19 +59,13 @@ impl Collector {
 
     /// Whether a patch can tell anything of the solid, by its header alone.
     pub fn concerns(&self, header: &PatchHeader) -> bool {
+        let around = match header.spacing {
+            Spacing::Angle(_) => 0.0,
+            Spacing::Distance(spacing) => self.evidence.model.band_behind() + KERNEL_SPACINGS * spacing,
+        };
         let bounds = &self.evidence.bounds;
-        match header.origins() {
-            Origins::One => {}
-            Origins::Each => return header.hull.overlaps(bounds),
-            Origins::Unknown => {
-                let reach = self.evidence.model.band_behind() + KERNEL_SPACINGS * f64::from(header.step);
-                return header.points.expanded(reach).overlaps(bounds);
-            }
-        }
-        let centre_scanner = bounds.centre() - header.origin;
-        let radius = 0.5 * bounds.diagonal();
-        centre_scanner.norm() - radius <= self.reach(header)
-            && header.cone.meets_ball(&centre_scanner, radius + self.kernel_radius(), margin(header))
+        let (radius, reach, beside) = (0.5 * bounds.diagonal(), self.reach(header), self.kernel_radius());
+        header.can_tell_of(bounds, &Vicinity { around, radius, reach, beside, beside_angle: margin(header) })
     }
 
     /// Adds what a packed patch tells. Points without origin count for the face nearest to them, and never for empty
@@ -215,7 +209,7 @@ impl Collector {
             gathering.add_to(block, sums);
             if sums.iter().any(|s| !s.is_empty()) {
                 station.add_block(i as u32, sums);
-                station.step = station.step.max(header.step);
+                station.step = station.step.max(view.step() as f32);
             }
         }
         stations.retain(|s| !s.blocks.is_empty());
@@ -238,7 +232,7 @@ impl Collector {
 
 /// Angle beyond the patch's cone within which a sample is still in the kernel of its beams, radians.
 fn margin(header: &PatchHeader) -> f64 {
-    KERNEL_SPACINGS * f64::from(header.step) + 1e-6
+    KERNEL_SPACINGS * header.spacing.angle() + 1e-6
 }
 
 /// The samples of an object and the beams of a view, to be brought together block by block.

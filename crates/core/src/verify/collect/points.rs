@@ -59,7 +59,7 @@ impl Collector {
         interrupt: Interrupt,
     ) -> Result<()> {
         let origin_local = header.origin - self.evidence.samples.reference;
-        let spacing = f64::from(header.step).max(1e-4);
+        let spacing = header.spacing.distance().max(1e-4);
         let point = |p: &Vec3| LocalPoint { position_local: p + origin_local, covariance: Matrix3::zeros(), spacing };
         let points: Vec<LocalPoint> = returns.iter().map(point).collect();
         self.absorb_points::<M>(&points, header.station, interrupt)
@@ -111,7 +111,7 @@ impl Collector {
                 poll(interrupt)?;
             }
             let Some(met_world) = met_beside(view, slot, crossings, &around) else { continue };
-            let spacing = f64::from(header.step) * view.ranges[slot];
+            let spacing = view.step() * view.ranges[slot];
             let position_local = met_world - samples.reference;
             let point = LocalPoint { position_local, covariance: Matrix3::zeros(), spacing };
             index.gather(samples, &point, (band, band), |block, k, touch| {
@@ -120,7 +120,7 @@ impl Collector {
                     M::add_point(&towards(touch, &scanner_local), &model, &mut station.block(block, len)[k]);
                 }
             });
-            station.step = station.step.max(header.step);
+            station.step = station.step.max(view.step() as f32);
         }
         stations.retain(|s| !s.blocks.is_empty());
         self.evidence.check_size()

@@ -86,3 +86,61 @@ fn write_station(station: &StationEvidence, out: &mut Vec<u8>, interrupt: Interr
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::NEVER;
+    use crate::geometry::{Solid, Vec3};
+    use crate::scan::{Beam, Patch};
+    use crate::verify::{Collector, EvidenceModel};
+
+    fn small() -> Evidence {
+        let solid = Solid::cuboid([3.0, -0.1, -0.1], [3.1, 0.1, 0.1]).unwrap();
+        let mut collector = Collector::new(&solid, EvidenceModel::default(), NEVER).unwrap();
+        for (station, y) in [(1, 0.0), (2, 0.5)] {
+            let end = |i: i32| Vec3::new(2.998, f64::from(i % 10) * 0.02 - 0.09 - y, f64::from(i / 10) * 0.02 - 0.09);
+            let beams: Vec<Beam> = (0..100).map(|i| Beam { offset: end(i), returned: i % 7 != 0 }).collect();
+            let patch = Patch::encode(station, Vec3::new(0.0, y, 0.0), 6e-3, 1e-4, &beams).unwrap();
+            collector.absorb(&patch.to_bytes(), NEVER).unwrap();
+        }
+        collector.into_evidence()
+    }
+
+    #[test]
+    fn bytes_round_trip() {
+        let evidence = small();
+        assert!(evidence.stations().len() == 2);
+        let bytes = evidence.to_bytes(NEVER).unwrap();
+        let back = Evidence::from_bytes(&bytes, NEVER).unwrap();
+        assert_eq!(back, evidence);
+        assert_eq!(back.to_bytes(NEVER).unwrap(), bytes);
+        let header = Evidence::header(&bytes[..Evidence::HEADER_LEN]).unwrap();
+        assert_eq!(
+            (header.samples as usize, header.stations, header.bounds),
+            (evidence.samples.len(), 2, evidence.bounds)
+        );
+    }
+
+    /// No byte can be another without being noticed: version and notes stand before the first checksum.
+    #[test]
+    fn every_flipped_byte_is_an_error() {
+        let good = small().to_bytes(NEVER).unwrap();
+        for at in 0..good.len() {
+            let flips: Vec<u8> = if at < 4 { (1..=255).collect() } else { vec![1, 0x10, 0x80, 0xff] };
+            for flip in flips {
+                let mut bytes = good.clone();
+                bytes[at] ^= flip;
+                assert!(Evidence::from_bytes(&bytes, NEVER).is_err(), "byte {at} ^ {flip:#x}");
+                let header = Evidence::header(&bytes[..Evidence::HEADER_LEN]);
+                assert!(
+                    at >= Evidence::HEADER_LEN || at == 0 || header.is_err(),
+                    "byte {at} ^ {flip:#x} of the header"
+                );
+            }
+        }
+        for len in 0..good.len() {
+            assert!(Evidence::from_bytes(&good[..len], NEVER).is_err(), "{len} bytes");
+        }
+    }
+}

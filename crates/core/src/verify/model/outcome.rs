@@ -58,7 +58,7 @@ impl BeamOutcomes {
             widest = widest.max((placed.place_scanner - aimed_scanner).norm());
             all.push(PlacedOutcome { outcome, ..placed });
         }
-        (!all.is_empty()).then(|| Self::laid_out(&all, f64::from(view.header.step), widest))
+        (!all.is_empty()).then(|| Self::laid_out(&all, view.step(), widest))
     }
 
     fn laid_out(all: &[PlacedOutcome], step: f64, widest: f64) -> Self {
@@ -167,4 +167,107 @@ impl Classifier<'_> {
 
 fn met(deviation: f64, share: f32) -> BeamOutcome {
     BeamOutcome::Surface { deviation: (deviation * DEVIATION).round() as i32, share }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::intensity::IntensityNoise;
+    use super::*;
+    use crate::NEVER;
+    use crate::geometry::Solid;
+    use crate::scan::{Beam, Patch};
+    use crate::verify::aim::{Claims, Target, crossings};
+
+    /// A wall whose face is drawn at x = `face`.
+    fn wall(face: f64) -> Target {
+        Target::new(&Solid::cuboid([face, -60.0, -1.0], [face + 0.2, 60.0, 1.0]).unwrap(), NEVER).unwrap()
+    }
+
+    fn view(beam: Beam, intensity: u16) -> RangeImage {
+        let header = Patch::encode(0, Vec3::zeros(), 5e-3, 1e-4, &[beam]).unwrap().header().clone();
+        RangeImage::with_intensities(header, &[beam], Some(&[intensity]))
+    }
+
+    /// What a beam met that is aimed at a wall 3 m away, with another wall where `other` says.
+    fn outcomes(beam: Beam, other: Option<f64>, model: &EvidenceModel) -> Option<BeamOutcomes> {
+        let (view, target) = (view(beam, 500), wall(3.0));
+        let mut claims = Claims::none(view.len());
+        if let Some(face) = other {
+            let other = wall(face);
+            claims.stake_all(&view, &other, &crossings(&other, &view, f64::INFINITY, NEVER).unwrap(), 1);
+        }
+        let crossings = crossings(&target, &view, f64::INFINITY, NEVER).unwrap();
+        let others = other.map(|_| claims.of_others_than(0));
+        BeamOutcomes::of(&view, &AimedAt { target: &target, crossings: &crossings, others }, model, Some)
+    }
+
+    fn at(x: f64) -> Beam {
+        Beam { offset: Vec3::new(x, 0.0, 0.0), returned: true }
+    }
+
+    fn surface(deviation: f64) -> Option<BeamOutcome> {
+        Some(met(deviation, 1.0))
+    }
+
+    #[test]
+    fn what_a_beam_met() {
+        let model = EvidenceModel::default();
+        let (front, behind) = (model.band_in_front(), model.band_behind());
+        let nothing = |x: f64| Beam { offset: Vec3::new(x, 0.0, 0.0), returned: false };
+        let seen_through = |weight: f32| Some(BeamOutcome::SeenThrough { weight });
+        let far = EvidenceModel { no_return_range: 2.9, ..model };
+        for (beam, other, model, expected, what) in [
+            (at(3.0), None, model, surface(0.0), "the face where it is drawn"),
+            (at(2.98), None, model, surface(0.02), "in front of it"),
+            (at(3.03), None, model, surface(-0.03), "behind it"),
+            (at(3.0 - front + 1e-3), None, model, surface(front - 1e-3), "at the end of the band in front"),
+            (at(3.0 - front - 1e-3), None, model, None, "hidden"),
+            (at(3.0 + behind - 1e-3), None, model, surface(1e-3 - behind), "at the end of the band behind"),
+            (at(3.0 + behind + 1e-3), None, model, seen_through(1.0), "seen through"),
+            (nothing(3.0), None, model, seen_through(0.25), "no return"),
+            (nothing(3.0), None, far, None, "no return, too far to tell"),
+            (at(2.95), Some(2.95), model, None, "another object in front"),
+            (at(3.05), Some(3.05), model, seen_through(1.0), "another object behind"),
+            (at(3.0), Some(3.05), model, surface(0.0), "itself, before another object"),
+            (at(3.05), Some(3.15), model, surface(-0.05), "behind, and not at the other object either"),
+            (Beam { offset: Vec3::new(3.0, 30.0, 0.0), returned: true }, None, model, None, "too steep"),
+            (Beam { offset: Vec3::new(3.0, 0.0, 2.0), returned: true }, None, model, None, "past the wall"),
+        ] {
+            assert_eq!(outcomes(beam, other, &model).map(|o| o.outcomes[0]), expected, "{what}");
+        }
+    }
+
+    /// A slanting beam tells of the foot of its return, its deviation is the distance from there.
+    #[test]
+    fn a_slanting_beam_tells_of_the_foot() {
+        let met_scanner = Vec3::new(2.97, 2.0, 0.1);
+        let found = outcomes(Beam { offset: met_scanner, returned: true }, None, &EvidenceModel::default()).unwrap();
+        assert_eq!(found.outcomes, [met(0.03, 1.0)]);
+        let place = found.places_scanner.each_ref().map(|all| f64::from(all[0]));
+        assert!((Vec3::from(place) - Vec3::new(3.0, 2.0, 0.1)).norm() < 1e-6, "{place:?}");
+        assert_eq!(found.normals, [[-1.0, 0.0, 0.0]]);
+        let aimed = met_scanner * (3.0 / met_scanner.x);
+        assert!((found.widest - (Vec3::new(3.0, 2.0, 0.1) - aimed).norm()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_dark_beam_is_worth_its_share() {
+        let noise = IntensityNoise::new(1000, 1.0).unwrap();
+        let model = EvidenceModel { intensity: Some(noise), ..EvidenceModel::default() };
+        let found = outcomes(at(3.0), None, &model).unwrap();
+        assert_eq!(found.outcomes, [BeamOutcome::Surface { deviation: 0, share: 0.5 }]);
+    }
+
+    #[test]
+    fn what_is_not_kept_tells_nothing() {
+        let (view, target, model) = (view(at(3.0), 0), wall(3.0), EvidenceModel::default());
+        let crossings = crossings(&target, &view, f64::INFINITY, NEVER).unwrap();
+        let aimed = AimedAt { target: &target, crossings: &crossings, others: None };
+        assert!(BeamOutcomes::of(&view, &aimed, &model, |_| None).is_none());
+        let weaker = |_| Some(BeamOutcome::SeenThrough { weight: 0.5 });
+        let found = BeamOutcomes::of(&view, &aimed, &model, weaker).unwrap();
+        assert_eq!(found.outcomes, [BeamOutcome::SeenThrough { weight: 0.5 }]);
+        let slots = found.slots_in([-0.01; 2], [0.01; 2]).flatten().collect::<Vec<_>>();
+        assert_eq!(slots, [0]);
+    }
 }

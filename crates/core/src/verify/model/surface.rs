@@ -110,7 +110,7 @@ fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: 
     let SurfaceBeams { view, met, .. } = beams;
     let range_squared = offset_scanner.norm_squared();
     let Some(uv) = view.project(offset_scanner) else { return };
-    let step = f64::from(view.header.step);
+    let step = view.step();
     // The gnomonic image stretches away from its centre, by this much at the most.
     let radius = KERNEL_SPACINGS * step * (1.0 + uv[0] * uv[0] + uv[1] * uv[1]) * 1.05;
     let here = offset_scanner.map(|c| c as f32);

@@ -112,3 +112,66 @@ impl Measured {
         (location.map(|l| l.0), random_sd)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::fitted_object::FittedObject;
+    use super::*;
+    use crate::NEVER;
+    use crate::geometry::Solid;
+    use crate::scan::{Beam, Patch};
+    use crate::verify::Collector;
+
+    #[test]
+    fn where_a_face_is_and_how_well_that_is_known() {
+        let measured = |deviations: &[f64], noise: f64, independent: f64| Measured {
+            with_surface: deviations.len() as u64,
+            deviations: deviations.to_vec(),
+            noise,
+            independent,
+        };
+        assert_eq!(measured(&[], 0.0, 0.0).location(true), (None, 0.0));
+        assert_eq!(measured(&[], 0.0, 0.0).location(false), (None, 0.0));
+        let four = [0.010, 0.012, 0.014, 0.100];
+        // Of one surface the beams' noise counts: σ² of each over as many as are independent.
+        let (location, sd) = measured(&four, 4.0 * 1e-6, 4.0).location(true);
+        assert!((location.unwrap() - 0.013).abs() < 1e-12);
+        assert!((sd - MEDIAN_SD * 1e-3 / 2.0).abs() < 1e-12, "{sd}");
+        // Of whatever was met the scatter.
+        let (location, sd) = measured(&four, 4.0 * 1e-6, 4.0).location(false);
+        assert!((location.unwrap() - 0.013).abs() < 1e-12);
+        assert!((sd - MEDIAN_SD * 1.4826 * 0.002 / 2.0).abs() < 1e-12, "{sd}");
+        // Samples that share their beams are never worth less than one.
+        let (_, sd) = measured(&four, 4.0 * 1e-6, 0.1).location(true);
+        assert!((sd - MEDIAN_SD * 1e-3).abs() < 1e-12, "{sd}");
+    }
+
+    #[test]
+    fn a_displaced_face_is_where_it_was_built() {
+        let wall = Solid::cuboid([4.0, -0.5, -0.5], [4.2, 0.5, 0.5]).unwrap();
+        let model = EvidenceModel::default();
+        let mut collector = Collector::new(&wall, model, NEVER).unwrap();
+        for station in [3, 5] {
+            let end = |i: i32| Vec3::new(3.988, f64::from(i % 60) * 0.02 - 0.6, f64::from(i / 60) * 0.02 - 0.6);
+            let beams: Vec<Beam> = (0..3600).map(|i| Beam { offset: end(i), returned: true }).collect();
+            let patch = Patch::encode(station, Vec3::zeros(), 5e-3, 1e-4, &beams).unwrap();
+            collector.absorb(&patch.to_bytes(), NEVER).unwrap();
+        }
+        let evidence = collector.into_evidence();
+        let faces = FittedObject::of(&evidence, &model, NEVER).unwrap().faces;
+        assert_eq!(faces.len(), 6);
+        for face in &faces {
+            let Some((deviation, sd)) = face.deviation else {
+                assert!(face.with_surface == 0 && face.stations.is_empty() && face.normal.x > -0.5);
+                continue;
+            };
+            assert!(face.normal.x < -0.5 && face.coherent && face.with_surface > face.samples * 9 / 10);
+            assert!((deviation - 0.012).abs() < 1e-4, "{deviation}");
+            // Two stations, each registered to a millimetre.
+            let common = (model.sigma_station.powi(2) / 2.0 + model.least_variance()).sqrt();
+            assert!(sd >= common && sd < 1.1 * common.hypot(face.random_sd).hypot(1.2e-4), "{sd}");
+            assert!(face.stations.len() == 2 && face.stations.iter().all(|s| (s.1 - 0.5).abs() < 1e-9));
+        }
+        assert_eq!(faces.iter().filter(|f| f.deviation.is_some()).count(), 1);
+    }
+}

@@ -33,7 +33,7 @@ pub fn absorb(tile: &mut CarvedTile, patch: &[u8], interrupt: Interrupt) -> Resu
     let rays = count_returns(tile, &header, &content, &origin, interrupt)?;
     if header.origins() != Origins::Unknown {
         let raster = (header.origins() == Origins::One && !grid.exact)
-            .then(|| (origin.local(grid, &header.origin), f64::from(header.step)));
+            .then(|| (origin.local(grid, &header.origin), header.spacing.angle()));
         let hull = [header.hull.min, header.hull.max].map(|corner| grid.index(&corner.into()));
         let [low, high] = [hull[0].clone()?, hull[1].clone()?];
         let span = tile.span.common(&VoxelBox::between(low, high));

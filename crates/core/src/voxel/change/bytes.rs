@@ -2,7 +2,7 @@
 
 use super::classes::Classes;
 use super::settings::ChangeSettings;
-use super::value::Change;
+use super::value::VoxelChange;
 use crate::Interrupt;
 use crate::error::Result;
 use crate::num::bytes::{ByteReader, Put};
@@ -15,7 +15,7 @@ const FORMAT: TileFormat = TileFormat::CHANGE;
 /// Flag of a block whose voxels are all of classes below 4: its third plane is not written.
 const TWO_PLANES: u8 = 2;
 
-impl Change {
+impl VoxelChange {
     /// Layout version written by this release.
     pub const VERSION: u8 = FORMAT.version;
 
@@ -81,12 +81,12 @@ mod tests {
     use crate::{AtOnce, NEVER};
     use proptest::prelude::*;
 
-    fn any_change() -> impl Strategy<Value = Change> {
+    fn any_change() -> impl Strategy<Value = VoxelChange> {
         let voxel = (prop::array::uniform3(-3i32..3), 0usize..512, 0usize..5);
         (prop::collection::vec(voxel, 0..300), 1u8.., any::<bool>()).prop_map(|(voxels, threshold, against_model)| {
             let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.01, 5.0).unwrap();
             let settings = ChangeSettings { threshold, tolerance: 0.01 };
-            let mut c = Change { grid, settings, against_model, blocks: Default::default() };
+            let mut c = VoxelChange { grid, settings, against_model, blocks: Default::default() };
             for (key, slot, class) in voxels {
                 let classes = c.blocks.entry(key).or_default();
                 if classes.get(slot).is_none() {
@@ -101,7 +101,7 @@ mod tests {
         #[test]
         fn bytes_round_trip(c in any_change()) {
             let bytes = c.to_bytes(NEVER).unwrap();
-            let back = Change::from_bytes(&bytes, NEVER).unwrap();
+            let back = VoxelChange::from_bytes(&bytes, NEVER).unwrap();
             prop_assert_eq!(&back, &c);
             prop_assert_eq!(back.to_bytes(NEVER).unwrap(), bytes);
         }
@@ -112,7 +112,7 @@ mod tests {
             let n = bytes.len();
             bytes[at % n] ^= x;
             bytes.truncate(n - cut);
-            prop_assert!(Change::from_bytes(&bytes, NEVER).is_err());
+            prop_assert!(VoxelChange::from_bytes(&bytes, NEVER).is_err());
         }
 
         #[test]
@@ -130,7 +130,7 @@ mod tests {
                 out.extend_from_slice(&body);
                 Ok(())
             });
-            let _ = Change::from_bytes(&bytes.unwrap(), NEVER);
+            let _ = VoxelChange::from_bytes(&bytes.unwrap(), NEVER);
         }
     }
 
@@ -138,11 +138,11 @@ mod tests {
     fn memory_is_bounded() {
         let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.01, 5.0).unwrap();
         let settings = ChangeSettings { threshold: 3, tolerance: 0.0 };
-        let mut c = Change { grid, settings, against_model: false, blocks: Default::default() };
+        let mut c = VoxelChange { grid, settings, against_model: false, blocks: Default::default() };
         (0..5000).for_each(|i| {
             c.blocks.entry([0, 0, i]).or_default().set(3, ChangeClass::New);
         });
         let bytes = c.to_bytes(NEVER).unwrap();
-        assert!(Change::from_bytes(&bytes, &AtOnce(100_000)).is_err());
+        assert!(VoxelChange::from_bytes(&bytes, &AtOnce(100_000)).is_err());
     }
 }

@@ -1,7 +1,7 @@
 //! What is new or gone, as connected things.
 
 use super::class::ChangeClass;
-use super::value::Change;
+use super::value::VoxelChange;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::voxel::lattice::bits::{self, slot_of, slots};
@@ -22,7 +22,7 @@ pub struct ChangeComponent {
     pub centroid: Vec3,
 }
 
-impl Change {
+impl VoxelChange {
     /// The connected parts of a class with at least `least` voxels, largest first. Two voxels hang together when the
     /// gap between them is less than `gap` metres; 0 for those that touch, were it at a corner.
     pub fn components(

@@ -4,7 +4,7 @@
 //! * [`classes`]: the classes of a block's voxels;
 //! * [`settings`]: how two epochs are compared;
 //! * [`judge`]: the class of every voxel of a block;
-//! * [`value`]: the change of a tile as a value ([`Change`]);
+//! * [`value`]: the change of a tile as a value ([`VoxelChange`]);
 //! * [`bytes`]: its stored form;
 //! * [`tally`]: voxels of each class, counted ([`ChangeTally`]);
 //! * [`component`]: what is new or gone, as connected things ([`ChangeComponent`]).
@@ -22,4 +22,4 @@ pub use class::ChangeClass;
 pub use component::ChangeComponent;
 pub use settings::ChangeSettings;
 pub use tally::ChangeTally;
-pub use value::Change;
+pub use value::VoxelChange;

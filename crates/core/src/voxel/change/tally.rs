@@ -1,7 +1,7 @@
 //! How many voxels of each class, overall or inside and around an object.
 
 use super::class::ChangeClass;
-use super::value::Change;
+use super::value::VoxelChange;
 use crate::voxel::lattice::bits::{common, count};
 use crate::voxel::model::{Region, VoxelSet};
 use crate::{Interrupt, Result, poll_now_and_then};
@@ -25,7 +25,7 @@ impl ChangeTally {
     }
 }
 
-impl Change {
+impl VoxelChange {
     /// Counts the voxels of every class, overall, or those of a set and within `gap` metres of it.
     pub fn tally(&self, set: Option<&VoxelSet>, gap: f64, interrupt: Interrupt) -> Result<ChangeTally> {
         let region = Region::new(set, gap, self.grid.voxel);

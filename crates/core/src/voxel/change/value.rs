@@ -14,7 +14,7 @@ use crate::{Interrupt, poll_now_and_then};
 
 /// Voxels of a tile that are occupied in at least one of two epochs, with what became of them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Change {
+pub struct VoxelChange {
     pub(super) grid: Grid,
     pub(super) settings: ChangeSettings,
     /// Whether the older side is a drawn model.
@@ -22,7 +22,7 @@ pub struct Change {
     pub(super) blocks: BlockMap<Classes>,
 }
 
-impl Change {
+impl VoxelChange {
     /// Compares the voxels that both tiles have. The older side may be a drawn model, the newer one too.
     pub fn between(old: &Occupancy, new: &Occupancy, settings: ChangeSettings, interrupt: Interrupt) -> Result<Self> {
         let (old_tile, new_tile) = (&old.grid().tile, &new.grid().tile);

@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 
-use super::line::{Vector, dot, unit};
+use asbuilt_core::geometry::Vec3;
+
 use crate::read::ifc::soup::Soup;
 
 /// Vertices nearer than this to each other coincide, and to an edge lie on it, metres.
@@ -75,15 +76,13 @@ fn split_border(soup: &mut Soup) -> bool {
 
 /// Which of some vertices lie on an edge, in order.
 fn between(soup: &Soup, vertices: &[u32], a: u32, b: u32) -> Vec<u32> {
-    let at = |i: u32| soup.vertices[i as usize];
-    let minus = |p: Vector, q: Vector| -> Vector { std::array::from_fn(|k| p[k] - q[k]) };
-    let (start, along) = (at(a), minus(at(b), at(a)));
-    let length = dot(along, along);
+    let at = |i: u32| Vec3::from(soup.vertices[i as usize]);
+    let (start, along) = (at(a), at(b) - at(a));
     let place = |i: u32| {
-        let d = minus(at(i), start);
-        let s = dot(d, along) / length;
-        let off: Vector = std::array::from_fn(|k| d[k] - s * along[k]);
-        (s > 0.0 && s < 1.0 && dot(off, off) < ON_EDGE_M * ON_EDGE_M).then_some((s, i))
+        let d = at(i) - start;
+        let s = d.dot(&along) / along.norm_squared();
+        let off = d - along * s;
+        (s > 0.0 && s < 1.0 && off.norm_squared() < ON_EDGE_M * ON_EDGE_M).then_some((s, i))
     };
     let mut on: Vec<(f64, u32)> = vertices.iter().filter(|&&i| i != a && i != b).filter_map(|&i| place(i)).collect();
     on.sort_by(|x, y| x.0.total_cmp(&y.0));
@@ -93,23 +92,22 @@ fn between(soup: &Soup, vertices: &[u32], a: u32, b: u32) -> Vec<u32> {
 /// A solid whose faces are moved outwards by this much, so that no face stays in the plane of another solid's.
 pub fn enlarged(mesh: &Soup, by: f64) -> Soup {
     let by = if mesh.volume() < 0.0 { -by } else { by };
-    let mut normals: Vec<Vec<Vector>> = vec![Vec::new(); mesh.vertices.len()];
+    let mut normals: Vec<Vec<Vec3>> = vec![Vec::new(); mesh.vertices.len()];
     for (t, triangle) in mesh.triangles.iter().enumerate() {
         let normal = mesh.normal(t);
-        if dot(normal, normal) > 0.0 {
-            triangle.iter().for_each(|&i| normals[i as usize].push(unit(normal)));
+        if normal.norm_squared() > 0.0 {
+            triangle.iter().for_each(|&i| normals[i as usize].push(normal.normalize()));
         }
     }
     let mut soup = mesh.clone();
     for (vertex, normals) in soup.vertices.iter_mut().zip(&normals) {
-        let mut step = [0.0; 3];
+        let mut step = Vec3::zeros();
         for _ in 0..24 {
             for n in normals {
-                let lack = by - dot(*n, step);
-                (0..3).for_each(|k| step[k] += lack * n[k]);
+                step += n * (by - n.dot(&step));
             }
         }
-        let length = dot(step, step).sqrt();
+        let length = step.norm();
         let short = if length > 4.0 * by.abs() { 4.0 * by.abs() / length } else { 1.0 };
         (0..3).for_each(|k| vertex[k] += short * step[k]);
     }
@@ -125,7 +123,7 @@ mod tests {
     fn an_edge_that_is_split_on_one_side_is_split_on_both() {
         let mut soup = cuboid([0.0; 3], [4.0, 1.0, 3.0]);
         let [a, b, c] = soup.triangles[0];
-        let middle: Vector =
+        let middle: [f64; 3] =
             std::array::from_fn(|k| (soup.vertices[a as usize][k] + soup.vertices[b as usize][k]) / 2.0);
         let m = soup.vertex(middle).unwrap();
         soup.triangles[0] = [a, m, c];

@@ -1,7 +1,8 @@
 //! Boxes cut out of a box of the same orientation, whatever it is: a grid of their faces' planes, whose cells are solid
 //! or not. Exact, closed, and complete.
 
-use super::line::{Vector, cross, dot, unit};
+use asbuilt_core::geometry::Vec3;
+
 use crate::read::ifc::soup::Soup;
 
 /// A mesh with a vertex farther than this from the corners of a box is not a box, metres.
@@ -18,14 +19,14 @@ pub struct GridCut {
 
 /// `None` where host and openings are not all boxes of the same orientation.
 pub fn cut(host: &Soup, tools: &[Soup]) -> Option<GridCut> {
-    let frame = Frame::of(host)?;
+    let frame = BoxAxes::of(host)?;
     let outer = frame.cuboid(host)?;
     let holes = tools.iter().map(|t| frame.cuboid(t)).collect::<Option<Vec<_>>>()?;
     let planes: [Vec<f64>; 3] = std::array::from_fn(|k| planes(outer[k], holes.iter().map(|h| h[k])));
     let counts = planes.each_ref().map(|p| p.len() - 1);
     (counts.iter().product::<usize>() <= MAX_CELLS).then_some(())?;
     let is_solid = |cell: [usize; 3]| {
-        let middle: Vector = std::array::from_fn(|k| (planes[k][cell[k]] + planes[k][cell[k] + 1]) / 2.0);
+        let middle: [f64; 3] = std::array::from_fn(|k| (planes[k][cell[k]] + planes[k][cell[k] + 1]) / 2.0);
         !holes.iter().any(|h| (0..3).all(|k| h[k][0] < middle[k] && middle[k] < h[k][1]))
     };
     let mut out = GridCut { soup: Soup::default(), volume: 0.0 };
@@ -46,13 +47,13 @@ pub fn cut(host: &Soup, tools: &[Soup]) -> Option<GridCut> {
 }
 
 /// A face of a cell, seen from outside.
-fn face(soup: &mut Soup, frame: &Frame, planes: &[Vec<f64>; 3], cell: [usize; 3], axis: usize, up: bool) {
+fn face(soup: &mut Soup, frame: &BoxAxes, planes: &[Vec<f64>; 3], cell: [usize; 3], axis: usize, up: bool) {
     let corner = |u: usize, v: usize| {
         let mut at = cell;
         at[axis] += usize::from(up);
         at[(axis + 1) % 3] += u;
         at[(axis + 2) % 3] += v;
-        frame.world(std::array::from_fn(|k| planes[k][at[k]]))
+        frame.world([0, 1, 2].map(|k| planes[k][at[k]]))
     };
     let ids = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)].map(|c| soup.vertex(c));
     if let [Some(a), Some(b), Some(c), Some(d)] = ids {
@@ -75,41 +76,41 @@ fn planes(outer: [f64; 2], holes: impl Iterator<Item = [f64; 2]>) -> Vec<f64> {
 }
 
 /// The directions of a box.
-struct Frame {
-    origin: Vector,
-    axes: [Vector; 3],
+struct BoxAxes {
+    origin: Vec3,
+    axes: [Vec3; 3],
 }
 
-impl Frame {
+impl BoxAxes {
     /// Taken from its largest face and the largest one perpendicular to it.
     fn of(host: &Soup) -> Option<Self> {
-        let normals: Vec<Vector> = (0..host.triangles.len()).map(|t| host.normal(t)).collect();
-        let size = |n: &&Vector| dot(**n, **n);
-        let largest = |found: Option<&Vector>| found.filter(|n| size(n) > 0.0).map(|n| unit(*n));
+        let normals: Vec<Vec3> = (0..host.triangles.len()).map(|t| host.normal(t)).collect();
+        let size = |n: &&Vec3| n.norm_squared();
+        let largest = |found: Option<&Vec3>| found.filter(|n| size(n) > 0.0).map(|n| n.normalize());
         let first = largest(normals.iter().max_by(|a, b| size(a).total_cmp(&size(b))))?;
-        let is_across = |n: &&Vector| dot(**n, first).powi(2) < 1e-6 * size(n);
+        let is_across = |n: &&Vec3| n.dot(&first).powi(2) < 1e-6 * size(n);
         let across = largest(normals.iter().filter(is_across).max_by(|a, b| size(a).total_cmp(&size(b))))?;
-        let along = dot(across, first);
-        let second = unit([0, 1, 2].map(|k| across[k] - along * first[k]));
-        Some(Self { origin: *host.vertices.first()?, axes: [first, second, cross(first, second)] })
+        let second = (across - first * across.dot(&first)).normalize();
+        Some(Self { origin: (*host.vertices.first()?).into(), axes: [first, second, first.cross(&second)] })
     }
 
-    fn local(&self, world: Vector) -> Vector {
-        let d = [0, 1, 2].map(|k| world[k] - self.origin[k]);
-        self.axes.map(|axis| dot(axis, d))
+    fn local(&self, world: [f64; 3]) -> Vec3 {
+        let d = Vec3::from(world) - self.origin;
+        self.axes.map(|axis| axis.dot(&d)).into()
     }
 
-    fn world(&self, local: Vector) -> Vector {
-        [0, 1, 2].map(|k| self.origin[k] + (0..3).map(|i| local[i] * self.axes[i][k]).sum::<f64>())
+    fn world(&self, local: [f64; 3]) -> [f64; 3] {
+        let [x, y, z] = self.axes;
+        (self.origin + (x * local[0] + y * local[1] + z * local[2])).into()
     }
 
     /// The extent of a box along these directions; `None` if it is not a box of this orientation.
     fn cuboid(&self, mesh: &Soup) -> Option<[[f64; 2]; 3]> {
-        let local: Vec<Vector> = mesh.vertices.iter().map(|&v| self.local(v)).collect();
+        let local: Vec<Vec3> = mesh.vertices.iter().map(|&v| self.local(v)).collect();
         let range =
             |k: usize| local.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |r, v| [r[0].min(v[k]), r[1].max(v[k])]);
         let ranges = [range(0), range(1), range(2)];
-        let is_corner = |v: &Vector| (0..3).all(|k| ranges[k].iter().any(|end| (end - v[k]).abs() < CORNER_M));
+        let is_corner = |v: &Vec3| (0..3).all(|k| ranges[k].iter().any(|end| (end - v[k]).abs() < CORNER_M));
         let volume: f64 = ranges.iter().map(|r| r[1] - r[0]).product();
         let is_whole = volume > 0.0 && (mesh.volume().abs() / volume - 1.0).abs() < 1e-3;
         (is_whole && local.iter().all(is_corner)).then_some(ranges)

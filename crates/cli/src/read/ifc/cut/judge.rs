@@ -1,7 +1,9 @@
 //! Is a cut right? Along many lines through every opening, what is left of the host must be the host without its
 //! openings.
 
-use super::line::{Line, union, unit, without};
+use asbuilt_core::geometry::Vec3;
+
+use super::line::{ProbeLine, union, without};
 use crate::read::ifc::soup::Soup;
 
 /// Shorter stretches are rounding, metres: the geometry library's grid of 1/65536 m, crossed at a slant.
@@ -27,15 +29,15 @@ pub enum Finding {
 /// Judges what is left of a host along this many lines through each of its openings, the `tools`.
 pub fn judge(host: &Soup, tools: &[Soup], left: &Soup, lines: usize) -> Finding {
     // The same lines every time.
-    let mut random = Random(0x1FC);
+    let mut random = SplitMix64(0x1FC);
     let lines = (LINES_OF_HOST / tools.len().max(1)).clamp(4, lines);
     let (mut judged, mut open, mut skins) = (0, 0, 0);
     for tool in tools {
         let (low, high) = common(host, tool);
         for _ in 0..lines {
-            let point = [0, 1, 2].map(|k| low[k] + (high[k] - low[k]) * random.number());
-            let direction = unit([0, 1, 2].map(|_| random.number() - 0.5));
-            let Some((off, is_skin)) = compare(host, tools, left, &Line::new(point, direction)) else {
+            let point = Vec3::from([0, 1, 2].map(|k| low[k] + (high[k] - low[k]) * random.number()));
+            let direction = Vec3::from([0, 1, 2].map(|_| random.number() - 0.5)).normalize();
+            let Some((off, is_skin)) = compare(host, tools, left, &ProbeLine::new(point, direction)) else {
                 open += 1;
                 continue;
             };
@@ -57,7 +59,7 @@ pub fn common(a: &Soup, b: &Soup) -> ([f64; 3], [f64; 3]) {
 
 /// The longest stretch that is wrong along a line, and whether there is a skin; `None` where host or openings are
 /// open.
-fn compare(host: &Soup, tools: &[Soup], left: &Soup, line: &Line) -> Option<(f64, bool)> {
+fn compare(host: &Soup, tools: &[Soup], left: &Soup, line: &ProbeLine) -> Option<(f64, bool)> {
     let whole = line.inside(host, true)?;
     let mut removed = Vec::new();
     for tool in tools {
@@ -77,9 +79,9 @@ fn compare(host: &Soup, tools: &[Soup], left: &Soup, line: &Line) -> Option<(f64
 }
 
 /// SplitMix64: the same lines every time.
-pub struct Random(pub u64);
+pub struct SplitMix64(pub u64);
 
-impl Random {
+impl SplitMix64 {
     /// The next number between 0 and 1.
     pub fn number(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);

@@ -5,7 +5,6 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use boolmesh::prelude::{Manifold, OpType, compute_boolean};
 
 use super::clean::{enlarged, stitched};
-use super::line::dot;
 use crate::read::ifc::soup::Soup;
 
 /// How far openings are enlarged, metres: less than the accuracy of any wall, more than the library's rounding.
@@ -26,7 +25,7 @@ pub fn all_ways<'a>(host: &Soup, tools: &[Soup], by: &'a [f64]) -> impl Iterator
 }
 
 fn is_flat(tool: &Soup) -> bool {
-    let area: f64 = (0..tool.triangles.len()).map(|t| tool.normal(t)).map(|n| dot(n, n).sqrt() / 2.0).sum();
+    let area: f64 = (0..tool.triangles.len()).map(|t| tool.normal(t)).map(|n| n.norm() / 2.0).sum();
     tool.volume().abs() < 1e-4 * area
 }
 

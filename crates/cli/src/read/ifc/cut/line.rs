@@ -1,35 +1,35 @@
 //! Where a straight line is inside a mesh.
 
+use asbuilt_core::geometry::Vec3;
+
 use crate::read::ifc::soup::Soup;
 
-pub type Vector = [f64; 3];
-
 /// A line with two axes perpendicular to it.
-pub struct Line {
-    point: Vector,
-    axes: [Vector; 3],
+pub struct ProbeLine {
+    point: Vec3,
+    axes: [Vec3; 3],
 }
 
-impl Line {
+impl ProbeLine {
     /// The line through a point; `direction` is a unit vector.
-    pub fn new(point: Vector, direction: Vector) -> Self {
+    pub fn new(point: Vec3, direction: Vec3) -> Self {
         let least = (0..3).min_by(|&a, &b| direction[a].abs().total_cmp(&direction[b].abs())).unwrap_or(0);
-        let mut helper = [0.0; 3];
+        let mut helper = Vec3::zeros();
         helper[least] = 1.0;
-        let across = unit(cross(direction, helper));
-        Self { point, axes: [across, cross(direction, across), direction] }
+        let across = direction.cross(&helper).normalize();
+        Self { point, axes: [across, direction.cross(&across), direction] }
     }
 
-    fn local(&self, world: Vector) -> Vector {
-        let d = [0, 1, 2].map(|k| world[k] - self.point[k]);
-        self.axes.map(|axis| dot(axis, d))
+    fn local(&self, world: [f64; 3]) -> Vec3 {
+        let d = Vec3::from(world) - self.point;
+        self.axes.map(|axis| axis.dot(&d)).into()
     }
 
     /// Stretches of the line inside a mesh, in order; `None` where it leaves a mesh that it never entered, which is
     /// then not closed. Where faces are drawn twice or solids overlap, what counts is whether there is any solid.
     /// `as_is` is false for meshes whose faces may all point inwards.
     pub fn inside(&self, mesh: &Soup, as_is: bool) -> Option<Vec<[f64; 2]>> {
-        let local: Vec<Vector> = mesh.vertices.iter().map(|&v| self.local(v)).collect();
+        let local: Vec<Vec3> = mesh.vertices.iter().map(|&v| self.local(v)).collect();
         let mut crossings: Vec<(f64, i32)> = mesh.triangles.iter().filter_map(|&t| crossing(&local, t)).collect();
         crossings.sort_by(|a, b| a.0.total_cmp(&b.0));
         let (mut stretches, mut depth, mut start) = (Vec::new(), 0, 0.0);
@@ -49,7 +49,7 @@ impl Line {
 
 /// Where the line crosses a triangle, and whether it enters (+1) or leaves (−1). Both triangles at an edge decide by
 /// the same number on which side of it the line passes, so a crossing is neither counted twice nor missed.
-fn crossing(local: &[Vector], triangle: [u32; 3]) -> Option<(f64, i32)> {
+fn crossing(local: &[Vec3], triangle: [u32; 3]) -> Option<(f64, i32)> {
     let [a, b, c] = triangle.map(|i| local[i as usize]);
     let [x, y] = [0, 1].map(|k| (a[k].min(b[k]).min(c[k]), a[k].max(b[k]).max(c[k])));
     if x.0 > 0.0 || x.1 < 0.0 || y.0 > 0.0 || y.1 < 0.0 {
@@ -69,19 +69,6 @@ fn crossing(local: &[Vector], triangle: [u32; 3]) -> Option<(f64, i32)> {
     let at = if sum == 0.0 { (a[2] + b[2] + c[2]) / 3.0 } else { (wa * a[2] + wb * b[2] + wc * c[2]) / sum };
     // Seen along the line, a face that looks against it turns clockwise.
     Some((at, if ab { -1 } else { 1 }))
-}
-
-pub fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub fn unit(v: Vector) -> Vector {
-    let length = dot(v, v).sqrt();
-    v.map(|c| c / length)
 }
 
 /// What is in `a` and not in `b`; both in order and without overlap.
@@ -121,7 +108,7 @@ pub fn union(mut all: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 pub mod tests {
     use super::*;
 
-    pub fn cuboid(low: Vector, high: Vector) -> Soup {
+    pub fn cuboid(low: [f64; 3], high: [f64; 3]) -> Soup {
         let mut soup = Soup::default();
         let corner = |i: usize| [0, 1, 2].map(|k| if i >> k & 1 == 0 { low[k] } else { high[k] } as f32).to_vec();
         let positions: Vec<f32> = (0..8).flat_map(corner).collect();
@@ -137,13 +124,13 @@ pub mod tests {
         assert!((mesh.volume() - 8.0).abs() < 1e-6);
         // Through the diagonal of a face, an edge, and beside it.
         for (point, length) in [([1.0, 1.0, 0.5], 2.0), ([1.0, 1.0, 0.0], 2.0), ([9.0, 1.0, 0.5], 0.0)] {
-            let line = Line::new(point, [0.0, 1.0, 0.0]);
+            let line = ProbeLine::new(point.into(), Vec3::y());
             let inside: f64 = line.inside(&mesh, true).unwrap().iter().map(|s| s[1] - s[0]).sum();
             assert!((inside - length).abs() < 1e-9 || point[2] == 0.0, "{point:?}: {inside}");
         }
         let mut open = mesh.clone();
         open.triangles.truncate(10);
-        assert!(Line::new([2.0, 0.7, 0.3], [1.0, 0.0, 0.0]).inside(&open, true).is_none());
+        assert!(ProbeLine::new([2.0, 0.7, 0.3].into(), Vec3::x()).inside(&open, true).is_none());
     }
 
     #[test]

@@ -19,7 +19,7 @@ use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 #[cfg(test)]
-pub use judge::Random;
+pub use judge::SplitMix64;
 use judge::{Finding, common, judge};
 
 use super::meshing::{Meshed, Meshing, Warm};

@@ -3,7 +3,7 @@
 
 use super::document::{Document, Edits};
 use super::line::line_of;
-use super::profiles::{Point, area, closed, write};
+use super::profiles::{ProfilePoint, area, closed, write};
 use super::value::Value;
 
 pub fn write_out(document: &Document, free: &mut dyn Iterator<Item = u64>, edits: &mut Edits) {
@@ -13,7 +13,7 @@ pub fn write_out(document: &Document, free: &mut dyn Iterator<Item = u64>, edits
         let Some((line, thickness)) = line.zip(values.get(3).and_then(Value::number)) else { continue };
         match sides(&line.points, thickness) {
             Some((right, left, false)) => {
-                let band: Vec<Point> = right.into_iter().chain(left.into_iter().rev()).collect();
+                let band: Vec<ProfilePoint> = right.into_iter().chain(left.into_iter().rev()).collect();
                 write(document, record, &values, &band, free, edits);
             }
             Some((right, left, true)) => {
@@ -30,16 +30,16 @@ pub fn write_out(document: &Document, free: &mut dyn Iterator<Item = u64>, edits
 
 /// Half the thickness to each side, mitred at corners, and whether the line is closed; `None` where it turns back on
 /// itself.
-fn sides(line: &[Vec<f64>], thickness: f64) -> Option<(Vec<Point>, Vec<Point>, bool)> {
+fn sides(line: &[Vec<f64>], thickness: f64) -> Option<(Vec<ProfilePoint>, Vec<ProfilePoint>, bool)> {
     const BACK_COS: f64 = -0.98;
-    let mut line: Vec<Point> = line.iter().map(|p| p.first_chunk().copied()).collect::<Option<_>>()?;
+    let mut line: Vec<ProfilePoint> = line.iter().map(|p| p.first_chunk().copied()).collect::<Option<_>>()?;
     let is_closed = line.len() > 3 && line.first() == line.last();
-    let normal = |s: &[Point]| {
+    let normal = |s: &[ProfilePoint]| {
         let [x, y] = [s[1][0] - s[0][0], s[1][1] - s[0][1]];
         let length = x.hypot(y);
         (length > 0.0).then(|| [-y / length, x / length])
     };
-    let normals: Vec<Point> = line.windows(2).map(normal).collect::<Option<_>>()?;
+    let normals: Vec<ProfilePoint> = line.windows(2).map(normal).collect::<Option<_>>()?;
     let last = normals.len() - 1;
     if is_closed {
         line.pop();
@@ -50,7 +50,7 @@ fn sides(line: &[Vec<f64>], thickness: f64) -> Option<(Vec<Point>, Vec<Point>, b
         let cos = a[0] * b[0] + a[1] * b[1];
         (cos > BACK_COS).then(|| [0, 1].map(|k| thickness / 2.0 * (a[k] + b[k]) / (1.0 + cos)))
     };
-    let offsets: Vec<Point> = (0..line.len()).map(offset).collect::<Option<_>>()?;
+    let offsets: Vec<ProfilePoint> = (0..line.len()).map(offset).collect::<Option<_>>()?;
     let side = |sign: f64| line.iter().zip(&offsets).map(move |(p, o)| [p[0] + sign * o[0], p[1] + sign * o[1]]);
     let is_one_way = is_closed || line.first() != line.last();
     (thickness > 0.0 && is_one_way).then(|| (side(-1.0).collect(), side(1.0).collect(), is_closed))
@@ -64,7 +64,7 @@ mod tests {
     fn bands_and_rings() {
         let line = |points: &[[f64; 2]]| points.iter().map(|p| p.to_vec()).collect::<Vec<_>>();
         let (right, left, is_closed) = sides(&line(&[[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]]), 0.2).unwrap();
-        let band: Vec<Point> = right.into_iter().chain(left.into_iter().rev()).collect();
+        let band: Vec<ProfilePoint> = right.into_iter().chain(left.into_iter().rev()).collect();
         assert!((area(&band) - 1.4).abs() < 1e-12 && !is_closed);
         let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]];
         let (right, left, is_closed) = sides(&line(&square), 0.2).unwrap();

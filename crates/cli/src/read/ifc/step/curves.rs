@@ -1,7 +1,7 @@
 //! Trimmed curves that the geometry library reads untrimmed: lines are written as what is left of them.
 
 use super::document::{Document, Edits};
-use super::line::{Line, line_of};
+use super::line::{Polyline, line_of};
 use super::profiles::polyline;
 use super::value::Value;
 
@@ -39,7 +39,7 @@ pub fn write_out_trimmed(
 }
 
 /// The piece between both trims, in the curve's own direction.
-pub fn trimmed(document: &Document, line: &Line, values: &[Value]) -> Option<Vec<Vec<f64>>> {
+pub fn trimmed(document: &Document, line: &Polyline, values: &[Value]) -> Option<Vec<Vec<f64>>> {
     let by_parameter = values.get(4)?.is("PARAMETER");
     let at = |trim: &Value| parameter(document, line, trim, by_parameter);
     let (mut from, mut to) = (at(values.get(1)?)?, at(values.get(2)?)?);
@@ -64,7 +64,7 @@ pub fn between(line: &[Vec<f64>], from: f64, to: f64) -> Vec<Vec<f64>> {
 }
 
 /// Where a trim lies: the segment's number and the fraction of it.
-fn parameter(document: &Document, line: &Line, trim: &Value, by_parameter: bool) -> Option<f64> {
+fn parameter(document: &Document, line: &Polyline, trim: &Value, by_parameter: bool) -> Option<f64> {
     let number = trim.list().iter().find_map(Value::number);
     let point = trim.list().iter().find_map(Value::reference).and_then(|id| document.coordinates(id));
     let last = (line.points.len() - 1) as f64;

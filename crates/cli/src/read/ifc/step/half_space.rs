@@ -5,6 +5,8 @@
 use std::collections::{HashMap, HashSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use asbuilt_core::geometry::Vec3;
+
 use super::dense::boundary;
 use super::document::{Document, Edits};
 use super::library::Library;
@@ -17,8 +19,6 @@ use super::value::{Value, real};
 const STEEP_COS: f64 = 0.414;
 /// A file whose half spaces need more records than this to be examined keeps the rest as they are.
 const MAX_RECORDS: usize = 1 << 24;
-
-type Vector = [f64; 3];
 
 pub fn write_out(
     document: &Document,
@@ -53,7 +53,7 @@ struct HalfSpace {
     boundary: u64,
     place: u64,
     /// Placements of the plane and of the boundary.
-    frames: [Frame; 2],
+    frames: [AxisPlacement; 2],
     /// The boundary's axes as written.
     axes: [Option<u64>; 2],
 }
@@ -69,23 +69,23 @@ impl HalfSpace {
             agrees: values.get(1)?.is("T"),
             boundary: boundary?,
             place: place?,
-            frames: [Frame::read(document, on)?, Frame::read(document, place?)?],
+            frames: [AxisPlacement::read(document, on)?, AxisPlacement::read(document, place?)?],
             axes: [1, 2].map(|i| axes.get(i).and_then(Value::reference)),
         })
     }
 
     fn is_steep(&self) -> bool {
-        dot(self.frames[0].z, self.frames[1].z).abs() < STEEP_COS
+        self.frames[0].z.dot(&self.frames[1].z).abs() < STEEP_COS
     }
 
     /// A prism that reaches beyond everything within `reach` of the zero, less what is on the plane's other side.
     fn text(&self, id: u64, corners: &[[f64; 2]], reach: f64, free: &mut dyn Iterator<Item = u64>) -> Option<String> {
         let frame = &self.frames[1];
-        let middle = -dot(frame.origin, frame.z);
+        let middle = -frame.origin.dot(&frame.z);
         let (place, point) = (free.next()?, free.next()?);
         let at = |start: f64| {
             let axes = self.axes.map(|a| a.map_or("$".to_owned(), |id| format!("#{id}"))).join(",");
-            let at = along(frame.origin, frame.z, start).map(real).join(",");
+            let at = <[f64; 3]>::from(frame.origin + frame.z * start).map(real).join(",");
             format!("#{place}=IFCAXIS2PLACEMENT3D(#{point},{axes});\n#{point}=IFCCARTESIANPOINT(({at}));")
         };
         if !self.takes_any(corners, [middle - reach, middle + reach]) {
@@ -110,48 +110,40 @@ impl HalfSpace {
         let [plane, frame] = &self.frames;
         let sign = if self.agrees { -1.0 } else { 1.0 };
         let is_within = |&[u, v]: &[f64; 2], end: f64| {
-            let p = along(along(along(frame.origin, frame.x, u), frame.y(), v), frame.z, end);
-            sign * dot([0, 1, 2].map(|k| p[k] - plane.origin[k]), plane.z) > 0.0
+            let p = frame.origin + frame.x * u + frame.y() * v + frame.z * end;
+            sign * (p - plane.origin).dot(&plane.z) > 0.0
         };
         corners.iter().any(|c| ends.iter().any(|&end| is_within(c, end)))
     }
 }
 
 /// An IfcAxis2Placement3D, its axes orthonormal.
-struct Frame {
-    origin: Vector,
-    z: Vector,
-    x: Vector,
+struct AxisPlacement {
+    origin: Vec3,
+    z: Vec3,
+    x: Vec3,
 }
 
-impl Frame {
+impl AxisPlacement {
     fn read(document: &Document, id: u64) -> Option<Self> {
         let values = document.values_of(id, "IFCAXIS2PLACEMENT3D")?;
-        let vector = |i: usize| Some(*document.coordinates(values.get(i)?.reference()?)?.first_chunk::<3>()?);
+        let vector =
+            |i: usize| Some(Vec3::from(*document.coordinates(values.get(i)?.reference()?)?.first_chunk::<3>()?));
         let origin = vector(0)?;
-        let z = unit(vector(1).unwrap_or([0.0, 0.0, 1.0]))?;
-        let across = |v: Vector| unit(along(v, z, -dot(v, z)));
-        let x = across(vector(2).unwrap_or([1.0, 0.0, 0.0])).or_else(|| across([0.0, 1.0, 0.0]))?;
+        let z = unit(vector(1).unwrap_or_else(Vec3::z))?;
+        let across = |v: Vec3| unit(v + z * -v.dot(&z));
+        let x = across(vector(2).unwrap_or_else(Vec3::x)).or_else(|| across(Vec3::y()))?;
         Some(Self { origin, z, x })
     }
 
-    fn y(&self) -> Vector {
-        let ([a, b, c], [x, y, z]) = (self.z, self.x);
-        [b * z - c * y, c * x - a * z, a * y - b * x]
+    fn y(&self) -> Vec3 {
+        self.z.cross(&self.x)
     }
 }
 
-fn dot(a: Vector, b: Vector) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn along(from: Vector, way: Vector, by: f64) -> Vector {
-    [0, 1, 2].map(|k| from[k] + way[k] * by)
-}
-
-fn unit(v: Vector) -> Option<Vector> {
-    let length = dot(v, v).sqrt();
-    (length > 1e-12 && length.is_finite()).then(|| v.map(|c| c / length))
+fn unit(v: Vec3) -> Option<Vec3> {
+    let length = v.norm();
+    (length > 1e-12 && length.is_finite()).then(|| v / length)
 }
 
 /// How far from the zero anything may lie that a half space cuts.

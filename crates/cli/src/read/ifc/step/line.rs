@@ -9,14 +9,14 @@ const MAX_DEPTH: usize = 16;
 const MAX_POINTS: usize = 1 << 16;
 
 #[derive(Debug)]
-pub struct Line {
+pub struct Polyline {
     pub points: Vec<Vec<f64>>,
     /// The curve's parameter grows by one from point to point.
     pub is_even: bool,
 }
 
 /// A polyline, an indexed one, or one composed or trimmed of such; `None` where it has arcs.
-pub fn line_of(document: &Document, id: u64) -> Option<Line> {
+pub fn line_of(document: &Document, id: u64) -> Option<Polyline> {
     nested(document, id, 0)
 }
 
@@ -26,18 +26,18 @@ pub fn points_of(document: &Document, polyline: u64) -> Option<Vec<Vec<f64>>> {
     points.filter(|p| are_of_one_kind(p))
 }
 
-pub fn nested(document: &Document, id: u64, depth: usize) -> Option<Line> {
+pub fn nested(document: &Document, id: u64, depth: usize) -> Option<Polyline> {
     let depth = Some(depth + 1).filter(|&d| d <= MAX_DEPTH)?;
     let record = document.find(id)?;
     let values = || document.values(record);
     let line = if document.is(record, "IFCPOLYLINE") {
-        Line { points: points_of(document, id)?, is_even: true }
+        Polyline { points: points_of(document, id)?, is_even: true }
     } else if document.is(record, "IFCINDEXEDPOLYCURVE") {
-        Line { points: indexed(document, &values())?, is_even: true }
+        Polyline { points: indexed(document, &values())?, is_even: true }
     } else if document.is(record, "IFCCOMPOSITECURVE") {
         composed(document, &values(), depth)?
     } else if document.is(record, "IFCTRIMMEDCURVE") {
-        Line { points: cut(document, &values(), depth)?, is_even: false }
+        Polyline { points: cut(document, &values(), depth)?, is_even: false }
     } else {
         return None;
     };
@@ -69,8 +69,8 @@ fn indexed(document: &Document, values: &[Value]) -> Option<Vec<Vec<f64>>> {
     Some(points)
 }
 
-fn composed(document: &Document, values: &[Value], depth: usize) -> Option<Line> {
-    let mut line = Line { points: Vec::new(), is_even: true };
+fn composed(document: &Document, values: &[Value], depth: usize) -> Option<Polyline> {
+    let mut line = Polyline { points: Vec::new(), is_even: true };
     for segment in values.first()?.list() {
         let segment = document.values_of(segment.reference()?, "IFCCOMPOSITECURVESEGMENT")?;
         let mut next = nested(document, segment.get(2)?.reference()?, depth)?;

@@ -5,10 +5,10 @@ use super::record::Record;
 use super::value::{Value, real};
 
 /// A point of a profile, in the file's unit.
-pub type Point = [f64; 2];
+pub type ProfilePoint = [f64; 2];
 
 /// Draws a profile from its numbers.
-pub type Outline = fn(&[f64]) -> Option<Vec<Point>>;
+pub type Outline = fn(&[f64]) -> Option<Vec<ProfilePoint>>;
 
 /// Corners of an ellipse: its area comes out 0.04 % short.
 pub const ELLIPSE_CORNERS: usize = 128;
@@ -36,37 +36,38 @@ pub fn write_out(document: &Document, free: &mut dyn Iterator<Item = u64>, edits
     }
 }
 
-pub fn ellipse(&[a, b]: &[f64; 2], corners: usize) -> Option<Vec<Point>> {
+pub fn ellipse(&[a, b]: &[f64; 2], corners: usize) -> Option<Vec<ProfilePoint>> {
     let at = |i: usize| (std::f64::consts::TAU * i as f64 / corners as f64).sin_cos();
     (a > 0.0 && b > 0.0).then(|| (0..corners).map(at).map(|(sin, cos)| [a * cos, b * sin]).collect())
 }
 
 /// Its box is centred below; `offset` is from the bottom's left end to the top's.
-fn trapezium(&[bottom, top, depth, offset]: &[f64; 4]) -> Option<Vec<Point>> {
+fn trapezium(&[bottom, top, depth, offset]: &[f64; 4]) -> Option<Vec<ProfilePoint>> {
     let (left, y) = (-bottom / 2.0, depth / 2.0);
     let corners = [[left, -y], [-left, -y], [left + offset + top, y], [left + offset, y]];
     (bottom > 0.0 && top > 0.0 && depth > 0.0).then(|| corners.to_vec())
 }
 
 /// Depth, width of a flange from the web's far face, thickness of web and flanges, fillet, edge: 2 · width − web wide.
-fn z_shape(numbers: &[f64]) -> Option<Vec<Point>> {
+fn z_shape(numbers: &[f64]) -> Option<Vec<ProfilePoint>> {
     let &[depth, width, web, flange] = numbers.first_chunk()?;
     let radius = |i: usize| numbers.get(i).copied().unwrap_or(0.0).max(0.0);
     let (y, w, x) = (depth / 2.0, web / 2.0, width - web / 2.0);
     let (fillet, edge) = (radius(4), radius(5));
     let is_sound = web > 0.0 && flange > 0.0 && x > w && 2.0 * flange < depth;
     let half = [([-w, -y], 0.0), ([x, -y], 0.0), ([x, flange - y], edge), ([w, flange - y], fillet)];
-    let all: Vec<(Point, f64)> = half.into_iter().chain(half.map(|([x, y], radius)| ([-x, -y], radius))).collect();
+    let all: Vec<(ProfilePoint, f64)> =
+        half.into_iter().chain(half.map(|([x, y], radius)| ([-x, -y], radius))).collect();
     is_sound.then(|| rounded(&all))
 }
 
 /// A polygon with rounded corners; a radius that does not fit between its neighbours is left out.
-pub fn rounded(corners: &[(Point, f64)]) -> Vec<Point> {
+pub fn rounded(corners: &[(ProfilePoint, f64)]) -> Vec<ProfilePoint> {
     let n = corners.len();
     let mut out = Vec::new();
     for i in 0..n {
         let (corner, radius) = corners[i];
-        let towards = |to: Point| {
+        let towards = |to: ProfilePoint| {
             let d = [to[0] - corner[0], to[1] - corner[1]];
             let length = d[0].hypot(d[1]);
             (d.map(|c| c / length), length)
@@ -87,7 +88,7 @@ pub fn rounded(corners: &[(Point, f64)]) -> Vec<Point> {
 }
 
 /// Moved by an IfcAxis2Placement2D, if there is one.
-pub fn placed(document: &Document, position: &Value, outline: Vec<Point>) -> Option<Vec<Point>> {
+pub fn placed(document: &Document, position: &Value, outline: Vec<ProfilePoint>) -> Option<Vec<ProfilePoint>> {
     let Some(id) = position.reference() else { return Some(outline) };
     let placement = document.values_of(id, "IFCAXIS2PLACEMENT2D")?;
     let &[x, y] = document.coordinates(placement.first()?.reference()?)?.first_chunk()?;
@@ -102,7 +103,7 @@ pub fn write(
     document: &Document,
     record: &Record,
     values: &[Value],
-    outline: &[Point],
+    outline: &[ProfilePoint],
     free: &mut dyn Iterator<Item = u64>,
     edits: &mut Edits,
 ) {
@@ -115,12 +116,12 @@ pub fn write(
 }
 
 /// The records of a polyline that ends where it begins.
-pub fn closed(outline: &[Point], free: &mut dyn Iterator<Item = u64>) -> Option<(u64, String)> {
+pub fn closed(outline: &[ProfilePoint], free: &mut dyn Iterator<Item = u64>) -> Option<(u64, String)> {
     polyline(outline.iter().chain(outline.first()).map(<[f64; 2]>::as_slice), free)
 }
 
 /// The signed area: positive counter-clockwise, negative clockwise.
-pub fn area(outline: &[Point]) -> f64 {
+pub fn area(outline: &[ProfilePoint]) -> f64 {
     let n = outline.len();
     (0..n).map(|i| (outline[i], outline[(i + 1) % n])).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>() / 2.0
 }

@@ -2,7 +2,7 @@
 //! reported.
 
 use super::document::{Document, Edits};
-use super::profiles::{Outline, Point, placed, rounded, write};
+use super::profiles::{Outline, ProfilePoint, placed, rounded, write};
 use super::value::{Value, real};
 
 /// Position of the first of a profile's numbers, after its kind, name and position.
@@ -57,7 +57,7 @@ fn numbers(keyword: &str, values: &[Value]) -> Vec<f64> {
 }
 
 /// Depth, width, wall, girth of the lips, radius inside its bends; outside it is larger by the wall.
-fn c_shape(numbers: &[f64]) -> Option<Vec<Point>> {
+fn c_shape(numbers: &[f64]) -> Option<Vec<ProfilePoint>> {
     let &[depth, width, wall, girth, inside] = numbers.first_chunk()?;
     let (x, y, outside) = (width / 2.0, depth / 2.0, inside + wall);
     let half = [
@@ -74,13 +74,13 @@ fn c_shape(numbers: &[f64]) -> Option<Vec<Point>> {
 }
 
 /// Width, depth, web, flange, fillet, edge.
-fn i_shape(numbers: &[f64]) -> Option<Vec<Point>> {
+fn i_shape(numbers: &[f64]) -> Option<Vec<ProfilePoint>> {
     let &[width, depth, web, flange, fillet, edge] = numbers.first_chunk()?;
     asymmetric(&[width, depth, web, flange, fillet, width, flange, fillet, edge, 0.0, edge])
 }
 
 /// Bottom width, depth, web, bottom flange and fillet, top width, flange and fillet, bottom edge, –, top edge.
-fn asymmetric(numbers: &[f64]) -> Option<Vec<Point>> {
+fn asymmetric(numbers: &[f64]) -> Option<Vec<ProfilePoint>> {
     let &[width, depth, web, flange, fillet, top_width, top_flange, top_fillet] = numbers.first_chunk()?;
     let edges = [8, 10].map(|i| numbers.get(i).copied().unwrap_or(0.0));
     let top_flange = if top_flange > 0.0 { top_flange } else { flange };
@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn radii_are_drawn() {
-        let near = |outline: Option<Vec<Point>>, right: f64| {
+        let near = |outline: Option<Vec<ProfilePoint>>, right: f64| {
             let seen = area(&outline.unwrap());
             assert!((seen / right - 1.0).abs() < 3e-3, "{seen}, right is {right}");
         };

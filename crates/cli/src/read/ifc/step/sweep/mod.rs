@@ -25,7 +25,7 @@ use skin::Skin;
 
 /// What is built here.
 #[derive(Debug, Clone, Copy)]
-pub enum Kind {
+pub enum SweepKind {
     /// A profile along a curve, turned by a surface or a direction.
     Along,
     Disk,
@@ -36,14 +36,14 @@ pub enum Kind {
     Revolution,
 }
 
-const KINDS: [(&str, Kind); 7] = [
-    ("IFCSURFACECURVESWEPTAREASOLID", Kind::Along),
-    ("IFCFIXEDREFERENCESWEPTAREASOLID", Kind::Along),
-    ("IFCSWEPTDISKSOLID", Kind::Disk),
-    ("IFCSWEPTDISKSOLIDPOLYGONAL", Kind::RoundedDisk),
-    ("IFCEXTRUDEDAREASOLIDTAPERED", Kind::TaperedExtrusion),
-    ("IFCREVOLVEDAREASOLIDTAPERED", Kind::TaperedRevolution),
-    ("IFCREVOLVEDAREASOLID", Kind::Revolution),
+const KINDS: [(&str, SweepKind); 7] = [
+    ("IFCSURFACECURVESWEPTAREASOLID", SweepKind::Along),
+    ("IFCFIXEDREFERENCESWEPTAREASOLID", SweepKind::Along),
+    ("IFCSWEPTDISKSOLID", SweepKind::Disk),
+    ("IFCSWEPTDISKSOLIDPOLYGONAL", SweepKind::RoundedDisk),
+    ("IFCEXTRUDEDAREASOLIDTAPERED", SweepKind::TaperedExtrusion),
+    ("IFCREVOLVEDAREASOLIDTAPERED", SweepKind::TaperedRevolution),
+    ("IFCREVOLVEDAREASOLID", SweepKind::Revolution),
 ];
 
 pub fn is_needed(document: &Document) -> bool {

@@ -16,11 +16,11 @@ pub enum Roll {
 }
 
 /// The profile's axes in a segment.
-pub type Axes = [Vector3<f64>; 2];
+pub type ProfileAxes = [Vector3<f64>; 2];
 
 impl Roll {
     /// The axes of every segment; `None` where the direction runs along the line.
-    pub fn axes(&self, path: &Path) -> Option<Vec<Axes>> {
+    pub fn axes(&self, path: &Path) -> Option<Vec<ProfileAxes>> {
         let tangents = path.tangents();
         if matches!(self, Roll::Carried) {
             return Some(carried(path, &tangents));
@@ -38,14 +38,14 @@ impl Roll {
     }
 }
 
-fn square_to(tangent: &Vector3<f64>, normal: &Vector3<f64>) -> Option<Axes> {
+fn square_to(tangent: &Vector3<f64>, normal: &Vector3<f64>) -> Option<ProfileAxes> {
     let x = (normal - tangent * tangent.dot(normal)).try_normalize(1e-6 * normal.norm())?;
     Some([x, tangent.cross(&x)])
 }
 
 /// Mirrored at the plane between two segments, a direction perpendicular to one becomes a direction perpendicular to
 /// the other, without a twist (Wang et al. 2008, "Computation of rotation minimizing frames").
-fn carried(path: &Path, tangents: &[Vector3<f64>]) -> Vec<Axes> {
+fn carried(path: &Path, tangents: &[Vector3<f64>]) -> Vec<ProfileAxes> {
     let start = tangents[0];
     let helper = if start.z.abs() < 0.9 { Vector3::z() } else { Vector3::x() };
     let mut axes = vec![square_to(&start, &helper).unwrap_or([Vector3::x(), Vector3::y()])];

@@ -13,7 +13,7 @@ use super::roll::Roll;
 use super::section::Section;
 use super::skin::Skin;
 use super::turned::Axis;
-use super::{Built, Kind, taper, turned};
+use super::{Built, SweepKind, taper, turned};
 
 /// A solid of more points than this is left to the library.
 const MAX_POINTS: usize = 1 << 20;
@@ -29,14 +29,14 @@ impl<'a> Shapes<'a> {
         Self(Library::new(text, angle))
     }
 
-    pub fn build(&mut self, id: u32, kind: Kind) -> Built {
+    pub fn build(&mut self, id: u32, kind: SweepKind) -> Built {
         let Ok(solid) = self.0.decoder.decode_by_id(id) else { return Built::default() };
         let built = match kind {
-            Kind::Along => self.along(&solid),
-            Kind::Disk => self.disk(&solid, None),
-            Kind::RoundedDisk => self.disk(&solid, Some(solid.get_float(5).unwrap_or(0.0))),
-            Kind::Revolution => self.revolved(&solid),
-            Kind::TaperedExtrusion | Kind::TaperedRevolution => self.tapered(&solid, kind),
+            SweepKind::Along => self.along(&solid),
+            SweepKind::Disk => self.disk(&solid, None),
+            SweepKind::RoundedDisk => self.disk(&solid, Some(solid.get_float(5).unwrap_or(0.0))),
+            SweepKind::Revolution => self.revolved(&solid),
+            SweepKind::TaperedExtrusion | SweepKind::TaperedRevolution => self.tapered(&solid, kind),
         };
         built.unwrap_or_default()
     }
@@ -66,11 +66,11 @@ impl<'a> Shapes<'a> {
     }
 
     /// SweptArea, Position, ExtrudedDirection and Depth or Axis and Angle, EndSweptArea.
-    fn tapered(&mut self, solid: &DecodedEntity, kind: Kind) -> Option<Built> {
+    fn tapered(&mut self, solid: &DecodedEntity, kind: SweepKind) -> Option<Built> {
         let (starts, ends) = (self.sections(solid, 0)?, self.sections(solid, 4)?);
         let place = self.0.placement(solid, 1)?;
         let moves = match kind {
-            Kind::TaperedRevolution => self.turns(solid)?,
+            SweepKind::TaperedRevolution => self.turns(solid)?,
             _ => self.lift(solid)?,
         };
         let skin = |(start, end): (&Section, &Section)| Some(taper::skin(start, end, &moves)?.moved(&place));
