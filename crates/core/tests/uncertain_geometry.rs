@@ -111,14 +111,14 @@ fn agrees<const N: usize>(
     assert!(off < 0.03, "{what}: empirical and propagated covariance differ by {off:.4}\n{empirical}{propagated}");
 }
 
-/// A scene of objects that touch, turn and cross as the tests need, about `base`.
-struct Scene {
+/// Objects that touch, turn and cross as the tests need, about `base`.
+struct TestObjects {
     points: [UncertainPoint; 4],
     pose: UncertainPose,
     other_pose: UncertainPose,
 }
 
-fn scene(base: Vec3, rng: &mut ChaCha8Rng) -> Scene {
+fn scene(base: Vec3, rng: &mut ChaCha8Rng) -> TestObjects {
     let mut point =
         |x: f64, y: f64, z: f64| UncertainPoint::new(base + Vec3::new(x, y, z), &any_covariance(rng, 0.002)).unwrap();
     let points = [point(0.3, 0.2, 0.1), point(4.0, 0.5, 0.3), point(1.0, 5.0, 0.9), point(2.0, 1.5, 3.0)];
@@ -131,13 +131,13 @@ fn scene(base: Vec3, rng: &mut ChaCha8Rng) -> Scene {
     };
     let pose_a = pose(Vec3::new(0.3, -0.4, 1.2), Vec3::new(10.0, -4.0, 2.0), 1.002);
     let pose_b = pose(Vec3::new(-0.7, 0.1, 0.5), Vec3::new(-3.0, 8.0, 1.0), 0.98);
-    Scene { points, pose: pose_a, other_pose: pose_b }
+    TestObjects { points, pose: pose_a, other_pose: pose_b }
 }
 
 #[test]
 fn constructions_propagate_covariance() {
     let rng = &mut ChaCha8Rng::seed_from_u64(1);
-    let Scene { points: [a, b, c, d], .. } = scene(Vec3::zeros(), rng);
+    let TestObjects { points: [a, b, c, d], .. } = scene(Vec3::zeros(), rng);
     let line = join::line_through(&a, &b).unwrap();
     agrees("line through points", &line.covariance, rng, |r| {
         line_error(&join::line_through(&a.drawn(r), &b.drawn(r)).unwrap(), &line)
@@ -197,7 +197,7 @@ fn constructions_propagate_covariance() {
 #[test]
 fn distances_know_their_deviation() {
     let rng = &mut ChaCha8Rng::seed_from_u64(2);
-    let Scene { points: [a, b, c, d], .. } = scene(Vec3::zeros(), rng);
+    let TestObjects { points: [a, b, c, d], .. } = scene(Vec3::zeros(), rng);
     let line = join::line_through(&a, &b).unwrap();
     let skew = join::line_through(&c, &d).unwrap();
     let plane = join::plane_through(&a, &b, &c).unwrap();
@@ -221,7 +221,7 @@ fn distances_know_their_deviation() {
 #[test]
 fn poses_carry_everything() {
     let rng = &mut ChaCha8Rng::seed_from_u64(3);
-    let Scene { points: [a, b, c, d], pose, other_pose } = scene(Vec3::zeros(), rng);
+    let TestObjects { points: [a, b, c, d], pose, other_pose } = scene(Vec3::zeros(), rng);
     let line = join::line_through(&a, &b).unwrap();
     let plane = join::plane_through(&a, &b, &c).unwrap();
     let image = pose.point(&d).unwrap();

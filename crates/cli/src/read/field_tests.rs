@@ -8,7 +8,7 @@ use indicatif::ProgressBar;
 use super::{RawScan, ReadOptions, read_scans};
 
 /// What reading must return.
-enum Right {
+enum ExpectedScan {
     /// The five points, all without origin, and words that a note must contain.
     Five(&'static str),
     /// Number of points, whether they have an origin, and words that a note must contain.
@@ -19,7 +19,7 @@ enum Right {
     Refused(&'static str),
 }
 
-use Right::{Count, Five, Points, Refused};
+use ExpectedScan::{Count, Five, Points, Refused};
 
 const FIVE: [[f64; 3]; 5] =
     [[1.25, 2.5, 0.75], [1.5, 2.5, 0.75], [1.75, 2.5, 0.75], [1.25, 2.75, 0.75], [1.5, 2.75, 1.0]];
@@ -48,7 +48,7 @@ fn world(scan: &RawScan) -> Vec<Vec3> {
 }
 
 /// What is wrong, if anything.
-fn judge(path: &Path, options: &ReadOptions, right: &Right) -> Result<(), String> {
+fn judge(path: &Path, options: &ReadOptions, right: &ExpectedScan) -> Result<(), String> {
     let scans = match (read(path, options), right) {
         (Err(e), Refused(words)) if format!("{e:#}").contains(words) => return Ok(()),
         (Err(e), _) => return Err(format!("refused: {e:#}")),
@@ -90,7 +90,7 @@ fn files_of_the_field() {
     let plain = ReadOptions::default;
     let columns = |c: &str| ReadOptions { columns: Some(c.parse().unwrap()), ..plain() };
     let noisy = ReadOptions { keep_noise: true, ..plain() };
-    let cases: Vec<(&str, ReadOptions, Right)> = vec![
+    let cases: Vec<(&str, ReadOptions, ExpectedScan)> = vec![
         ("e57_merged_identity_pose.e57", plain(), Count(9148, "merged cloud")),
         ("e57_identity_pose_local_grid.e57", plain(), Count(1600, "far from zero")),
         ("ptx_identity_local_grid.ptx", plain(), Count(48, "far from zero")),
@@ -140,7 +140,7 @@ fn files_of_the_field() {
 }
 
 /// The file and what is wrong with it, shortened.
-fn wrong(path: &Path, options: &ReadOptions, right: &Right) -> Option<String> {
+fn wrong(path: &Path, options: &ReadOptions, right: &ExpectedScan) -> Option<String> {
     let why = judge(path, options, right).err()?;
     Some(format!("{}: {}", path.display(), why.chars().take(400).collect::<String>()))
 }
@@ -166,7 +166,7 @@ fn files_of_our_own() {
     let list = format!("property list uchar int view\n{floats}");
     let with = |edit: fn(&str) -> String| ROWS.lines().map(|l| edit(l) + "\n").collect::<String>();
     let numbered: String = ROWS.lines().enumerate().map(|(i, l)| format!("{} {l}\n", i + 1)).collect();
-    let cases: Vec<(&str, String, Right)> = vec![
+    let cases: Vec<(&str, String, ExpectedScan)> = vec![
         ("a.xyz", ROWS.into(), Five("")),
         ("a.dat", ROWS.replace('\n', "\r"), Five("")),
         ("comma.csv", with(|l| l.replace(' ', ",")), Five("")),
@@ -211,7 +211,7 @@ fn files_of_our_own() {
     ];
     let folder = std::env::temp_dir().join(format!("asbuilt-field-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
-    let judged = |(name, content, right): &(&str, String, Right)| {
+    let judged = |(name, content, right): &(&str, String, ExpectedScan)| {
         std::fs::write(folder.join(name), content).unwrap();
         wrong(&folder.join(name), &ReadOptions::default(), right)
     };
@@ -259,10 +259,10 @@ fn decimal_commas_are_told() {
 }
 
 /// Writes, reads and judges texts; returns what is wrong with them.
-fn wrong_texts(folder: &str, cases: &[(&str, &str, ReadOptions, Right)]) -> String {
+fn wrong_texts(folder: &str, cases: &[(&str, &str, ReadOptions, ExpectedScan)]) -> String {
     let folder = std::env::temp_dir().join(format!("asbuilt-{folder}-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
-    let judged = |(name, text, options, right): &(&str, &str, ReadOptions, Right)| {
+    let judged = |(name, text, options, right): &(&str, &str, ReadOptions, ExpectedScan)| {
         std::fs::write(folder.join(name), text).unwrap();
         wrong(&folder.join(name), options, right)
     };

@@ -27,9 +27,9 @@ pub fn volume(p: &Product) -> f64 {
 }
 
 /// The volume of one of the products, m³, to within a relative error; or a word that a note must contain.
-type Right = (&'static str, &'static [f64], f64, &'static str);
+type ExpectedVolume = (&'static str, &'static [f64], f64, &'static str);
 
-const FIELD: [Right; 20] = [
+const FIELD: [ExpectedVolume; 20] = [
     ("ifc_recess_with_window_axis_aligned_ok", &[3.95], 1e-3, ""),
     ("ifc_recess_with_window_rotated_half_degree", &[3.95], 1e-3, ""),
     ("ifc_bom", &[2.4], 1e-6, ""),
