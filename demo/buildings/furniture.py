@@ -26,8 +26,9 @@ def swivel_chair():
 
 def back_rest():
     """Curved in plan and in height."""
+    heights = [(0.62, 0.17, 0), (0.68, 0.21, 0.01), (0.8, 0.22, 0.0), (0.95, 0.21, -0.03), (1.02, 0.16, -0.05)]
     rings = []
-    for z, half, lean in ((0.62, 0.17, 0), (0.68, 0.21, 0.01), (0.8, 0.22, 0.0), (0.95, 0.21, -0.03), (1.02, 0.16, -0.05)):
+    for z, half, lean in heights:
         flat = oval(half, 0.018, z, 12, 4.0)
         rings.append([(x, y - 0.27 + lean + 1.2 * x * x, z) for x, y, z in flat])
     return loft(rings)
@@ -111,7 +112,8 @@ def sofa(seats=2):
 
 def bed(width=1.8, length=2.0):
     x = width / 2
-    legs = [box((sx * x - 0.04, y, 0), (sx * x + 0.04, y + 0.08, 0.2)) for sx in (-0.9, 0.9) for y in (0.1, length - 0.1)]
+    feet = [(side * x, y) for side in (-0.9, 0.9) for y in (0.1, length - 0.1)]
+    legs = [box((u - 0.04, v, 0), (u + 0.04, v + 0.08, 0.2)) for u, v in feet]
     frame = [box((-x, 0, 0.2), (x, length + 0.05, 0.32)), box((-x, -0.06, 0.0), (x, 0, 1.0))]
     mattress = cushion((-x + 0.03, 0.02, 0.32), (x - 0.03, length + 0.02, 0.52), 0.04)
     pillows = [cushion((sx * 0.45 - 0.35, 0.05, 0.52), (sx * 0.45 + 0.35, 0.5, 0.64), 0.05) for sx in (-1, 1)]

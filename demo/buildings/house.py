@@ -1,25 +1,32 @@
 """A house of two storeys, the upper one under a raftered roof; IFC2X3 in millimetres, its names German.
 
-Walls and floors here; house_roof.py has the roof, house_rooms.py what stands in the rooms.
+Walls and floors here; house_plan.py has its measures, house_roof.py the roof, house_rooms.py what stands in the rooms.
 """
 
 from .body import Modeller, corners
-from .house_roof import EAVES, SLOPE, UNDER_RAFTERS, UNDER_SLAB, roof
+from .house_plan import (
+    CHIMNEY,
+    CLEAR,
+    EAVES,
+    FACE,
+    FLOOR,
+    IN,
+    LENGTH,
+    MIDDLE,
+    SCREED,
+    SLAB,
+    SLOPE,
+    STAIRS,
+    UNDER_RAFTERS,
+    UNDER_SLAB,
+    UPPER,
+    WIDTH,
+)
+from .house_roof import roof
 from .house_rooms import fit_out
 from .layers import Hole, Layer, wall
 from .openings import door, fixed_light, window
 from .services import flight, railing, sloped_railing
-
-# Inner faces of the walls' structure.
-LENGTH, WIDTH = 9.6, 7.2
-CLEAR, SLAB = 2.75, 0.2
-UPPER = CLEAR + SLAB
-# Screed and parquet: their upper faces.
-SCREED, FLOOR = 0.12, 0.135
-IN = 0.015
-CHIMNEY = (6.2, 4.4, 6.7, 4.9)
-STAIRS = (0.9, 6.185, 4.8, 7.185)
-MIDDLE = (3.985, 4.13)
 
 RENDER = Layer("Außenputz", 0.015, "IFCCOVERING", "Putz", "Plaster", "CLADDING", -SLAB)
 WOOL = Layer("Dämmung", 0.16, "IFCCOVERING", "Glaswolle", "Insulation", "INSULATION", -SLAB)
@@ -27,7 +34,6 @@ BRICK = Layer("Kalksandstein", 0.175, "IFCWALL", "Kalksandstein", "Concrete")
 PLASTER = Layer("Innenputz", IN, "IFCCOVERING", "Gipsputz", "Plaster", "CLADDING")
 INNER = Layer("Mauerwerk", 0.115, "IFCWALL", "Kalksandstein", "Concrete")
 OUTER = [RENDER, WOOL, BRICK, PLASTER]
-OUTSIDE = sum(layer.thickness for layer in OUTER[:-1])
 BETWEEN = [PLASTER._replace(name="Putz rechts"), INNER, PLASTER._replace(name="Putz links")]
 BOARD = Layer("Platte", 0.0125, "IFCCOVERING", "Gipskarton", "Plaster", "CLADDING")
 STUDS = Layer("Ständer", 0.075, "IFCWALL", "Holz", "Timber")
@@ -51,19 +57,22 @@ def house():
     gables(m)
     upper_floors(m)
     upper_wall(m)
-    roof(m, LENGTH, WIDTH, CHIMNEY)
+    roof(m)
     fit_out(m, 1)
     m.finish()
     return m
 
 
-def side(m, name, a, b, holes, is_long, height=CLEAR, layers=OUTER, clips=(), start=-OUTSIDE):
+def side(m, name, a, b, holes, is_long, height=CLEAR, layers=OUTER, clips=(), start=-FACE):
     """One side of the outer wall; long sides run around the corners."""
 
     def reach(outer, inner):
         return (-outer, -outer) if is_long else (-inner, -inner)
 
-    return wall(m, name, a, b, 0, height, layers, start, holes, reach, BRICK.name, clips)
+    w = wall(m, name, a, b, 0, height, layers, start, holes, reach, BRICK.name, clips)
+    if BRICK in layers:
+        m.property(w.product, name, "Pset_WallCommon", "IsExternal", "IFCBOOLEAN(.T.)")
+    return w
 
 
 def ground_walls(m):
@@ -133,7 +142,7 @@ def stairs(m):
     def foot():
         return m.place((x1, y0, FLOOR), (0, 1))
 
-    flight(m, "Treppenlauf", foot(), y1 - y0, steps, UPPER / steps, tread, whole, style="Timber", material="Holz")
+    flight(m, "Treppenlauf", foot(), y1 - y0, steps, UPPER / steps, tread, whole, ("Timber", "Holz"))
     sloped_railing(m, "Treppengeländer", foot(), 0.05, steps, UPPER / steps, tread, whole)
     m.begin(1)
     railing(m, "Geländer 1", m.place((x0, y0 - 0.04, FLOOR)), x1 - x0 + 0.05)

@@ -4,9 +4,9 @@ from math import cos, radians, sin
 
 from . import furniture, sanitary
 from .body import corners
+from .house_plan import CLEAR, FACE, FLOOR, IN, LENGTH, MIDDLE, WIDTH
 
-LENGTH, WIDTH, IN, FLOOR, CLEAR = 9.6, 7.2, 0.015, 0.135, 2.75
-TILES, FACE = 0.012, 0.35
+TILES = 0.012
 
 CLASSES = {
     "furniture": ("IFCFURNISHINGELEMENT", "Textile", "Stoff"),
@@ -41,7 +41,7 @@ def living(m):
     put(m, "wood", "Esstisch", furniture.plain_table, 7.2, 1.9)
     for i, (dx, dy, turn) in enumerate(((-0.5, -0.75, 5), (0.5, -0.75, -10), (-0.5, 0.75, 180), (0.5, 0.75, 170))):
         put(m, "furniture", f"Stuhl {i + 1}", furniture.visitor_chair, 7.2 + dx, 1.9 + dy, turn=turn)
-    put(m, "wood", "Anrichte", sideboard, 3.6, 3.985 - 0.225 - 0.022, turn=180)
+    put(m, "wood", "Anrichte", sideboard, 3.6, MIDDLE[0] - 0.225 - 0.022, turn=180)
     put(m, "lamp", "Leuchte Wohnen", sanitary.pendant, 7.2, 1.9, CLEAR)
     for i, x in enumerate((1.75, 7.75)):
         put(m, "heater", f"Heizkörper {i + 1}", sanitary.radiator, x, IN + 0.05)
@@ -56,8 +56,8 @@ def sideboard():
 
 
 def kitchen(m):
-    put(m, "wood", "Küchenzeile", furniture.counter, 3.6, 4.13 + 0.3)
-    put(m, "wood", "Hochschrank", tall_cabinet, 5.42 - 0.01, 4.13 + 0.3)
+    put(m, "wood", "Küchenzeile", furniture.counter, 3.6, MIDDLE[1] + 0.3)
+    put(m, "wood", "Hochschrank", tall_cabinet, 5.42 - 0.01, MIDDLE[1] + 0.3)
     put(m, "lamp", "Leuchte Küche", sanitary.pendant, 3.6, 5.2, CLEAR)
     put(m, "heater", "Heizkörper 3", sanitary.radiator, IN + 0.05, 5.0, turn=-90)
 
@@ -71,7 +71,7 @@ def bath(m):
     put(m, "sanitary", "WC", sanitary.toilet, 7.45, north - TILES, turn=180)
     put(m, "sanitary", "Waschtisch", sanitary.basin, east - TILES, 4.7, turn=90)
     put(m, "sanitary", "Badewanne", sanitary.bathtub, east - 0.375, 6.3, turn=90)
-    put(m, "sanitary", "Dusche", sanitary.shower, 7.0725 + 0.46, 4.13 + 0.46)
+    put(m, "sanitary", "Dusche", sanitary.shower, 7.0725 + 0.46, MIDDLE[1] + 0.46)
     lo, hi = (east - TILES - 0.006, 4.4, 1.25), (east - TILES, 5.0, 1.95)
     m.box("IFCFURNISHINGELEMENT", "Spiegel", lo, hi, "Steel", material="Spiegel")
 

@@ -32,20 +32,22 @@ PANEL = Layer("cladding", 0.04, "IFCCOVERING", "Fibre cement", "Cladding", "CLAD
 TILES = Layer("tiles", 0.012, "IFCCOVERING", "Tiles", "Ceramic", "CLADDING")
 
 PARTITION = [BOARD._replace(name="board right"), STUDS, BOARD._replace(name="board left")]
-THICK = sum(layer.thickness for layer in PARTITION)
 
 
 class Wall:
-    """Of the layer that carries: its placement, and the IFC openings of its holes."""
+    """Of the layer that carries: the product, its placement, and the IFC openings of its holes."""
 
+    product: str
     place: str
     openings: list
 
 
 def wall(m, name, a, b, z, height, layers, y=0.0, holes=(), reach=None, carries=None, clips=()):
-    """From a to b in plan; its layers one after the other to the left of this line, from `y` on. `reach` tells how
-    much longer a layer is at start and end, by its two faces' y; `clips` are planes (point, normal) above which it ends,
-    in the wall's frame."""
+    """From a to b in plan; its layers one after the other to the left of this line, from `y` on, with holes in them.
+
+    `reach` tells how much longer a layer is at start and end, by its two faces' y; `carries` is the layer whose holes
+    are filled; `clips` are planes (point, normal) in the wall's frame, above which it ends.
+    """
     length = dist(a, b)
     along, out = ((b[0] - a[0]) / length, (b[1] - a[1]) / length), Wall()
     for layer in layers:
@@ -60,7 +62,7 @@ def wall(m, name, a, b, z, height, layers, y=0.0, holes=(), reach=None, carries=
         e = m.piece(layer.ifc_class, full, place, body, material=layer.material, tail=tail)
         cut = holes_in(m, full, place, e, faces, holes, layer.name)
         if layer.name == (carries or layers[len(layers) // 2].name):
-            out.place, out.openings = place, cut
+            out.product, out.place, out.openings = e, place, cut
         y = faces[1]
     return out
 

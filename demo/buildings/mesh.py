@@ -56,7 +56,7 @@ def box(lo, hi):
 
 
 def loft(rings):
-    """Through rings of equally many points, anticlockwise as seen from where the loft goes to; with both ends closed."""
+    """Through rings of equally many points, anticlockwise as seen from where it goes to; closed at both ends."""
     n = len(rings[0])
     points = [p for ring in rings for p in ring]
     faces = [tuple(reversed(range(n)))]

@@ -1,53 +1,17 @@
 """An office building: rooms on both sides of a corridor, in bays of 6 m; the shell of each floor.
 
-South of the corridor: office, meeting room behind glass, office, office, and so on; north: stairs and toilets, lounge,
-an open-plan office of two bays behind a curtain wall. What stands in the rooms: office_rooms.py.
+office_plan.py has its measures, office_rooms.py what stands in the rooms.
 """
 
 from .body import Modeller, corners
-from .layers import BOARD, CONCRETE, PANEL, PARTITION, THICK, WOOL, Hole, Layer, wall
+from .layers import BOARD, CONCRETE, PANEL, PARTITION, STUDS, WOOL, Hole, Layer, wall
+from .office_plan import BAY, CEILING, CLEAR, DOOR, FLOOR, IN, NORTH, OUTSIDE, SLAB, SOUTH, STOREY, THICK, WIDTH, Floor
 from .office_rooms import fit_out
 from .openings import door, fixed_light, glazing, window
 from .services import column
 
-BAY, WIDTH = 6.0, 14.4
-# The corridor's walls: faces from south to north.
-SOUTH, NORTH = (5.4, 5.5), (7.7, 7.8)
-STOREY, SLAB, CLEAR = 3.6, 0.28, 3.32
-# Upper faces of raised floor and of suspended ceiling.
-FLOOR, CEILING = 0.16, 2.92
-IN = BOARD.thickness
 FACADE = [PANEL, WOOL, CONCRETE, BOARD]
-OUTSIDE = PANEL.thickness + WOOL.thickness + CONCRETE.thickness
 BULKHEAD = Layer("bulkhead", THICK, "IFCWALL", "Plaster board", "Plaster")
-DOOR = (1.01, 2.135)
-
-
-class Floor:
-    """One storey; names begin with its number."""
-
-    def __init__(self, m, number, bays, is_top):
-        self.m, self.number, self.bays, self.length, self.is_top = m, number, bays, bays * BAY, is_top
-
-    def name(self, *parts):
-        return " ".join([str(self.number), *map(str, parts)])
-
-    def columns(self):
-        """Their places and heights; the open-plan office has beams on them."""
-        for k in range(self.bays):
-            yield k * BAY + 0.7, 4.9, CLEAR
-            if k % 4 == 1:
-                yield k * BAY + 3.0, 11.1, CLEAR
-            elif k % 4 > 1:
-                yield k * BAY + 3.0, 11.1, CLEAR - 0.35
-
-    def open_plans(self):
-        """Pairs of bays behind a curtain wall: first bay, last bay."""
-        return [(k, min(k + 1, self.bays - 1)) for k in range(2, self.bays, 4)]
-
-    def curtain(self, first, last):
-        """Where the curtain wall of an open-plan office begins and ends; a pier stands at the building's corner."""
-        return first * BAY + 0.05, self.length - 0.6 if last == self.bays - 1 else (last + 1) * BAY - 0.05
 
 
 def office(storeys=1, bays=4):
@@ -129,6 +93,7 @@ def side(f, name, a, b, holes, is_long, ends=(True, True)):
         return tuple(more if e else 0.0 for e in ends)
 
     w = wall(f.m, f.name(name), a, b, 0, CLEAR, FACADE, -OUTSIDE, holes, reach, CONCRETE.name)
+    f.m.property(w.product, f.name(name), "Pset_WallCommon", "IsExternal", "IFCBOOLEAN(.T.)")
     for i, hole in enumerate(holes):
         title = f.name("window", name.removeprefix("facade "), i + 1)
         if hole.sill == FLOOR:
@@ -163,10 +128,7 @@ def partitions(f):
 
 def solid(f, name, a, b, holes=()):
     """A partition about the line from a to b, from slab to slab."""
-    return wall(f.m, f.name(name), a, b, 0, CLEAR, PARTITION, -THICK / 2, holes, carries=STUDS_NAME)
-
-
-STUDS_NAME = PARTITION[1].name
+    return wall(f.m, f.name(name), a, b, 0, CLEAR, PARTITION, -THICK / 2, holes, carries=STUDS.name)
 
 
 def cross_walls(f, k):
@@ -236,7 +198,10 @@ def corridor_north(f, k):
         # The stairs' door is of steel with a pane.
         is_stairs = k % 4 == 0 and i == 0
         light = (0.25, 0.9, 0.75, 1.9) if is_stairs else None
-        door(f.m, f.name("door north", k + 1, i + 1), w, i, hole, 0.0, "Frame" if is_stairs else "Timber", light)
+        name = f.name("door north", k + 1, i + 1)
+        e = door(f.m, name, w, i, hole, 0.0, "Frame" if is_stairs else "Timber", light)
+        if is_stairs:
+            f.m.property(e, name, "Pset_DoorCommon", "FireRating", "IFCLABEL('T30')")
 
 
 def grid(m, bays):

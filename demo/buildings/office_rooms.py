@@ -5,12 +5,9 @@ from math import cos, radians, sin
 from . import furniture, sanitary
 from .body import corners
 from .layers import TILES
+from .office_plan import BAY, CEILING, CLEAR, FLOOR, IN, NORTH, SOUTH, WIDTH
 from .openings import door_items
 from .services import cable_tray, duct, flight, pipe, railing, round_duct, sloped_railing
-
-BAY, IN, WIDTH, FLOOR, CEILING, CLEAR = 6.0, 0.0125, 14.4, 0.16, 2.92, 3.32
-# Faces of the corridor's walls towards the rooms and towards the corridor.
-SOUTH, NORTH = (5.4, 5.5), (7.7, 7.8)
 
 CLASSES = {
     "furniture": ("IFCFURNITURE", "Textile", "Composite"),
@@ -53,7 +50,7 @@ def fit_out(f):
 
 
 def room(f, name, r, has_ceiling=True, floor=None):
-    """Raised floor, suspended ceiling and space of a room: x0, y0, x1, y1; `floor` is the floor's outline if another."""
+    """Raised floor, suspended ceiling and space of a room: x0, y0, x1, y1; `floor` is another outline of the floor."""
     m, half = f.m, 0.175
     inside = [(x, y) for x, y, _ in f.columns() if r[0] < x < r[2] and r[1] < y < r[3]]
     holes = [(x - half, y - half, x + half, y + half) for x, y in inside]
@@ -180,7 +177,8 @@ def toilets(f, k, r):
         m.box("IFCWALL", f.name("cabin front", name, i // 2 + 1), lo, hi, **panel)
     for i in (1, 3):
         place = m.place((stops[i], front - 0.05, FLOOR))
-        m.piece("IFCDOOR", f.name("cabin door", name, (i + 1) // 2), place, *door_items(m, 0.8, 2.0), material="Laminate")
+        leaf = door_items(m, 0.8, 2.0)
+        m.piece("IFCDOOR", f.name("cabin door", name, (i + 1) // 2), place, *leaf, material="Laminate")
     for i, x in enumerate(((west + middle) / 2, (middle + east) / 2)):
         put(f, "sanitary", f"toilet {name} {i + 1}", sanitary.toilet, x, back - t, turn=180)
     for i, y in enumerate((9.4, 10.4)):

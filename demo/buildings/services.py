@@ -31,16 +31,17 @@ def cable_tray(m, name, a, length, ifc_class="IFCCABLECARRIERSEGMENT"):
     return m.piece(ifc_class, name, m.place((0, 0, 0)), body, material="Galvanised steel")
 
 
-def flight(m, name, place, width, steps, rise, tread, whole=None, thickness=0.18, style="Concrete", material="Concrete"):
-    """Goes up along its y axis, x across; its last riser is the edge of the floor above."""
+def flight(m, name, place, width, steps, rise, tread, whole=None, look=("Concrete", "Concrete"), thickness=0.18):
+    """Goes up along its y axis, x across; its last riser is the edge of the floor above. `look`:
+    style and material."""
     treads = steps - 1
     outline = [(0, 0)]
     for i in range(treads):
         outline += [(i * tread, (i + 1) * rise), ((i + 1) * tread, (i + 1) * rise)]
     outline += [(treads * tread, treads * rise - thickness), (tread, 0)]
     # The profile lies in y and z; it is extruded along x.
-    body = m.extruded(m.polygon(outline[::-1]), width, (0, 0, 0), (1, 0, 0), (0, 1, 0), style)
-    return m.piece("IFCSTAIRFLIGHT", name, place, body, whole=whole, material=material)
+    body = m.extruded(m.polygon(outline[::-1]), width, (0, 0, 0), (1, 0, 0), (0, 1, 0), look[0])
+    return m.piece("IFCSTAIRFLIGHT", name, place, body, whole=whole, material=look[1])
 
 
 def sloped_railing(m, name, place, x, steps, rise, tread, whole=None):

@@ -54,7 +54,7 @@ class Step:
     """The lines of a file."""
 
     def __init__(self, schema="IFC4", millimetres=False, space="", shared=True):
-        """Identities are unique within `space`; with `shared`, equal points, directions and the like are written once."""
+        """Identities are unique within `space`; with `shared`, equal points, directions and so on are written once."""
         self.schema, self.millimetres, self.space, self.shared = schema, millimetres, space, shared
         self.lines, self.known, self.seeds = [], {}, set()
 
@@ -169,9 +169,7 @@ class Model(Step):
         """In the storey, or as a part of `whole`."""
         tails = TAILS[self.schema]
         tail = tail or tails.get(ifc_class, tails[""])
-        e = self.add(
-            f"{ifc_class}('{self.guid(name)}',{self.history},'{text(name)}',$,$,{place},{shape},{tail})"
-        )
+        e = self.add(f"{ifc_class}('{self.guid(name)}',{self.history},'{text(name)}',$,$,{place},{shape},{tail})")
         if whole:
             self.wholes.setdefault(whole, []).append(e)
         else:
