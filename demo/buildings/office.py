@@ -226,8 +226,11 @@ def stations(storeys=1, bays=4):
         for k in range(bays):
             x = k * BAY
             rooms = {0: [(1.5, 9.0), (4.5, 11.7)], 1: [(2.0, 11.0), (4.6, 10.6)]}
-            inside = [(4.9, 4.2), (4.4, 6.6), *rooms.get(k % 4, [(3.0, 8.4), (2.6, 11.9), (5.4, 14.0)])]
+            inside = [(4.9, 4.2), (4.4, 6.6), *rooms.get(k % 4, [(3.0, 8.4), (2.6, 11.9), (3.0, 14.0)])]
             out += [(x + dx, y, z) for dx, y in inside]
             if k % 4 == 0:
                 out.append((x + 1.5, 13.75, z + 1.8))
-    return out + [(x, y, 1.6) for x in (bays * BAY * 0.25, bays * BAY * 0.75) for y in (-9.0, WIDTH + 9.0)]
+    far = bays * BAY
+    around = [(far * side, y) for side in (0.25, 0.75) for y in (-9.0, WIDTH + 9.0)]
+    around += [(x, WIDTH / 2) for x in (-9.0, far + 9.0)]
+    return out + [(x, y, 1.6) for x, y in around]
