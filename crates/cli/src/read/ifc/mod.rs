@@ -22,6 +22,8 @@ mod reader;
 mod relations;
 #[cfg(test)]
 mod shape_tests;
+#[cfg(test)]
+mod shipped_tests;
 mod soup;
 mod step;
 #[cfg(test)]
