@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Writes docs/api.md from the COMMENTs of the installed extension and from docs/examples, every one of which it runs.
+# In which release a function came, the SQL of the earlier releases tells (sql/asbuilt--VERSION.sql): each is installed.
 # With --check it only says whether docs/api.md is what would be written.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -18,6 +19,14 @@ export PGDATABASE=asbuilt_docs PGCLIENTENCODING=UTF8 PGTZ=UTC PGDATESTYLE=ISO
 export PGOPTIONS="-c extra_float_digits=-9"
 dropdb --if-exists asbuilt_docs 2>/dev/null
 createdb -T template0 -E UTF8 --locale=C asbuilt_docs
+for script in sql/asbuilt--*.sql; do
+  release=$(basename "$script" .sql)
+  release=${release#asbuilt--}
+  [ "${release#*--}" = "$release" ] || continue # from one release to the next
+  psql -Xq -v ON_ERROR_STOP=1 -c "CREATE EXTENSION asbuilt VERSION '$release'"
+  psql -XAtq -v ON_ERROR_STOP=1 -v "release=$release" -f scripts/api_docs_release.sql
+  psql -Xq -v ON_ERROR_STOP=1 -c "DROP EXTENSION asbuilt"
+done >"$work/releases.sql"
 psql -Xq -v ON_ERROR_STOP=1 -c "CREATE EXTENSION asbuilt"
 
 # Every file in a session of its own. Heads become marks in the output, line by line, so that errors name the line.
@@ -36,7 +45,8 @@ for file in docs/examples/*.sql; do
 done >"$work/files.sql"
 {
   echo "CREATE TEMP TABLE file (topic text, source text, result text);"
-  cat "$work/files.sql" scripts/api_docs.sql
+  echo "CREATE TEMP TABLE released (release text, kind text, name text, arguments text);"
+  cat "$work/releases.sql" "$work/files.sql" scripts/api_docs.sql
 } | psql -XAtq -v ON_ERROR_STOP=1 -P pager=off -f - >"$work/api.md"
 dropdb asbuilt_docs
 

@@ -1,4 +1,5 @@
--- docs/api.md, from the catalogue and from the table file (topic, source, result): docs/examples and what they print.
+-- docs/api.md, from the catalogue, from the table file (topic, source, result): docs/examples and what they print, and
+-- from the table released (release, kind, name, arguments): functions and types of the earlier releases.
 CREATE TEMP VIEW member AS
 SELECT d.classid, d.objid
 FROM   pg_depend d JOIN pg_extension x ON d.refobjid = x.oid AND d.refclassid = 'pg_extension'::regclass
@@ -22,16 +23,38 @@ FROM   part s JOIN
        FROM   file, regexp_split_to_table(result, '^@@ ', 'n') WITH ORDINALITY u(part, n)) r USING (topic, n)
 WHERE  n > 1;
 
+-- The first of some releases; without any, the one that is installed.
+CREATE FUNCTION pg_temp.first(releases text[]) RETURNS text LANGUAGE sql RETURN (
+    SELECT coalesce((SELECT r FROM unnest(releases) r ORDER BY string_to_array(r, '.')::integer[] LIMIT 1),
+                    (SELECT extversion FROM pg_extension WHERE extname = 'asbuilt')));
 CREATE FUNCTION pg_temp.short(type text) RETURNS text LANGUAGE sql RETURN replace(type, 'double precision', 'float8');
 CREATE TEMP TABLE entry AS
 SELECT p.oid, p.proname AS name, oidvectortypes(p.proargtypes) AS arguments,
        format('%s(%s)', p.proname, pg_temp.short(regexp_replace(
            pg_get_function_arguments(p.oid), '::[a-z_ ]+(\[\])?(?=,|$)', '', 'g'))) AS signature,
        pg_temp.short(pg_get_function_result(p.oid)) AS result, p.prokind = 'a' AS is_aggregate,
-       t.typrelid AS row, t.typname AS row_name, obj_description(p.oid, 'pg_proc') AS what
+       t.typrelid AS row, t.typname AS row_name, obj_description(p.oid, 'pg_proc') AS what, p.pronargs, p.pronargdefaults
 FROM   member m JOIN pg_proc p ON m.classid = 'pg_proc'::regclass AND m.objid = p.oid
        JOIN pg_type t ON t.oid = p.prorettype
 WHERE  p.proname ~ '^ab_';
+
+-- The release in which a function came; where it came with fewer parameters, that one, too: a call that the earlier
+-- release knew leaves out the others, which have defaults.
+CREATE TEMP TABLE came AS
+SELECT oid, CASE WHEN more > 0 THEN format('since %s, its last %s parameters since %s', with_fewer, more, with_all)
+                 ELSE format('since %s', with_all) END AS since
+FROM  (SELECT e.oid, e.pronargs - min(r.given) AS more,
+              pg_temp.first(array_agg(r.release) FILTER (WHERE r.given < e.pronargs)) AS with_fewer,
+              pg_temp.first(array_agg(r.release) FILTER (WHERE r.given = e.pronargs)) AS with_all
+       FROM   entry e LEFT JOIN
+             (SELECT release, name, arguments, coalesce(cardinality(string_to_array(arguments, ', ')), 0) AS given
+              FROM   released WHERE kind = 'function') r
+           ON r.name = e.name
+          AND (r.arguments = e.arguments
+               OR r.given BETWEEN e.pronargs - e.pronargdefaults AND e.pronargs - 1
+                  AND starts_with(e.arguments || ', ', CASE r.given WHEN 0 THEN '' ELSE r.arguments || ', ' END)
+                  AND NOT EXISTS (SELECT FROM entry o WHERE (o.name, o.arguments) = (r.name, r.arguments)))
+       GROUP  BY e.oid, e.pronargs) c;
 
 -- A head is a name, for all overloads that no other head names with their arguments, or a name with its arguments.
 CREATE TEMP TABLE head AS
@@ -39,7 +62,7 @@ SELECT topic, n, h AS head, split_part(h, '(', 1) AS name, CASE WHEN h ~ '\(' TH
 FROM   example, regexp_split_to_table(head, ' and ') h;
 CREATE TEMP TABLE shown AS
 SELECT h.topic, h.n, h.head, e.*
-FROM   head h JOIN entry e
+FROM   head h JOIN (entry JOIN came USING (oid)) e
     ON e.oid = h.oid OR h.head = e.name AND NOT EXISTS (SELECT FROM head o WHERE o.oid = e.oid);
 
 DO $$
@@ -72,13 +95,17 @@ END $$;
 
 SELECT E'# SQL reference\n\nMade by `make docs` from the COMMENTs in the database and from [docs/examples](examples), '
     || E'whose SQL it runs.\nLengths in metres, angles in radians. Results are printed with six digits '
-    || E'(`extra_float_digits = -9`).\n';
+    || E'(`extra_float_digits = -9`).\n\n*Since* names the first release that has a function of this name with these '
+    || E'parameters, or a type of this name;\nthe columns that a function returns may have become more since '
+    || E'([changes](../CHANGELOG.md)).\n';
 SELECT format('- [%s](#%s)', title, replace(lower(title), ' ', '-'))
 FROM  (SELECT topic, title FROM topic UNION ALL VALUES ('', 'Types'), ('~1', 'Operators'), ('~2', 'Operator classes')) t
 ORDER  BY topic;
 
-SELECT E'\n## Types\n\n| type | what |\n| --- | --- |';
-SELECT format('| `%s` | %s |', t.typname, obj_description(t.oid, 'pg_type'))
+SELECT E'\n## Types\n\n| type | since | what |\n| --- | --- | --- |';
+SELECT format('| `%s` | %s | %s |', t.typname,
+              pg_temp.first(ARRAY(SELECT release FROM released WHERE (kind, name) = ('type', t.typname))),
+              obj_description(t.oid, 'pg_type'))
 FROM   member m JOIN pg_type t ON m.classid = 'pg_type'::regclass AND m.objid = t.oid
 WHERE  t.typname !~ '^_|_010$' AND t.typtype <> 'c' ORDER BY t.typname;
 
@@ -96,8 +123,8 @@ SELECT text FROM (
     FROM   topic
     UNION ALL
     SELECT topic, n, format(E'\n### %s\n\n%s\n%s\n```sql\n%s\n```\n\n```text\n%s\n```', e.head,
-           (SELECT string_agg(format('- `%s` → `%s`%s: %s', signature, s.result,
-                                     CASE WHEN is_aggregate THEN ', aggregate' ELSE '' END, what),
+           (SELECT string_agg(format('- `%s` → `%s`%s, %s: %s', signature, s.result,
+                                     CASE WHEN is_aggregate THEN ', aggregate' ELSE '' END, since, what),
                               E'\n' ORDER BY is_aggregate, signature)
             FROM shown s WHERE (s.topic, s.n) = (e.topic, e.n)),
            (SELECT coalesce(string_agg(c.text, '' ORDER BY c.text), '')

@@ -20,11 +20,11 @@
 //!
 //! | frame | begins at | what is in it |
 //! | --- | --- | --- |
-//! | world | the reference system's zero | [`geometry::Solid`], [`geometry::Aabb`], all of [`uncertain`], the `origin`, `points` and `hull` of a [`scan::Header`], the triangles that beams are aimed at (`verify`'s target), [`verify::Place`], [`voxel::Grid::tile`] |
+//! | world | the reference system's zero | [`geometry::Solid`], [`geometry::Aabb`], all of [`uncertain`], the `origin`, `points` and `hull` of a [`scan::Header`], the triangles that beams are aimed at (`verify`'s `Target`), [`verify::Place`], [`voxel::Grid::tile`]. A [`uncertain::Pose`] leads from a source frame to a target frame, which its user names; its translation and its errors are in the target frame |
 //! | local of an object | `reference`: the centre of the solid's box, rounded to whole metres | the samples of [`verify::Evidence`] (`local(i)`, kept in single precision) and what is worked out from them: balls of blocks, points without origin, the points of the built surface |
 //! | patch-local | the header's `origin` | where the beams of a [`scan::Beams`] start and end (`start(i)`, `end(i)`) |
 //! | scanner-relative | where the beam starts | [`scan::Beam::offset`], directions and ranges of a [`scan::RangeImage`], the `offset` that leads to a sample, the places that beams speak of. For a tripod it is the patch-local frame; a [`scan::RangeImage`] adds image coordinates (u, v) in the plane at unit distance along its cone's axis |
-//! | voxels | the lattice's zero, or a base near the patch | numbers of voxels and of blocks: places divided by the edge of a voxel |
+//! | voxels | the lattice's zero, or while beams are carved a voxel near the patch (`LocalOrigin`) | numbers of voxels and of blocks: places divided by the edge of a voxel |
 //!
 //! Frames that are turned against the world's (a scanner's own, a map's) end where files are read; within a function, a
 //! fit may choose axes of its own. A deviation is a length along a unit normal, positive in front of the face: along

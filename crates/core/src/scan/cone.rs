@@ -7,7 +7,7 @@ use crate::geometry::{Vec3, perpendiculars};
 pub struct Cone {
     /// Unit vector.
     pub axis: Vec3,
-    /// Radians, 0 to π.
+    /// Radians; from π on, all directions.
     pub half_angle: f64,
 }
 

@@ -66,7 +66,8 @@ impl RangeImage {
         self.ranges.is_empty()
     }
 
-    /// Where the line from the origin to `offset` meets the image plane; `None` beside or behind the scanner.
+    /// Where the line from the scanner along `offset` (scanner-relative) meets the image plane; `None` beside or behind
+    /// the scanner.
     pub fn project(&self, offset: &Vec3) -> Option<[f64; 2]> {
         let depth = offset.dot(&self.header.cone.axis);
         (depth > 1e-6 * offset.norm()).then(|| gnomonic(&self.header.cone, &self.basis, offset))

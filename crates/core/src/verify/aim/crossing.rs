@@ -18,7 +18,7 @@ pub struct Crossing {
     pub slot: u32,
     /// The triangle crossed.
     pub triangle: u32,
-    /// Distance from the origin, metres.
+    /// Distance from where the beam starts, metres.
     pub distance: f64,
     /// Whether the triangle is seen from behind.
     from_behind: bool,
@@ -44,7 +44,7 @@ struct Nearest {
     from_behind: Vec<bool>,
 }
 
-/// The first crossing of every beam that crosses within `reach` metres of the origin, by slot.
+/// The first crossing of every beam that crosses within `reach` metres of the scanner, by slot.
 pub fn crossings(target: &Target, view: &RangeImage, reach: f64, interrupt: Interrupt) -> Result<Vec<Crossing>> {
     let origin = view.header.origin;
     let concerns = |centre_world: &Vec3, radius: f64| {

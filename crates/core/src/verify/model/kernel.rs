@@ -1,7 +1,11 @@
 //! Which beams count at a sample, and with what weight.
 //!
 //! The weight at a sample Q of a beam that tells of a place X is 2^(−ρ²/s²), with ρ the distance of X from the sight
-//! line to Q and s the local spacing of the beams: ln 2/s² of the source, already stretched along a slope.
+//! line to Q and s the local spacing of the beams: exp(−κρ²) with κ = ln 2/s², as published. As ρ is measured across
+//! the sight line, the kernel is stretched along a slope as the beams are.
+//!
+//! [`BEAMS_IN_KERNEL`] and [`MEAN_WEIGHT`] follow from its shape. Points without a beam have the same curve
+//! (`collect/point_index.rs`).
 
 use std::sync::LazyLock;
 

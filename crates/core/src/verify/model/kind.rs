@@ -48,7 +48,7 @@ models! { ($)
 
 pub(in crate::verify) use with_model;
 
-/// All names, for messages.
+/// All names of the list above, for messages.
 const NAMES: &str = "'surface' or 'meyer2022'";
 
 impl ModelKind {

@@ -1,9 +1,10 @@
 //! What a beam says about a place: the parameters, and one file for each model.
 //!
-//! [`EvidenceModel`] holds the parameters, [`Question`] those that can be asked anew. What differs from model to model is the trait [`BeamModel`]: how beams
-//! become integer [`Sums`] at a sample, and what a station's sums state there ([`Statement`]). [`Surface`] is the
-//! product's own model, with the sums in `surface_sums`, the weights in `kernel`, and what each beam met in `outcome`
-//! and `ownership`; [`Meyer2022`] is the published one. A new model is a file here and an entry in `kind`.
+//! [`EvidenceModel`] holds the parameters, [`Question`] those that can be asked anew. What differs from model to model
+//! is the trait [`BeamModel`]: how beams become integer [`Sums`] at a sample, and what a station's sums state there
+//! ([`Statement`]). [`Surface`] is the product's own model, with the sums in `surface_sums`, the weights in `kernel`,
+//! and what each beam met in `outcome` and `ownership`; [`Meyer2022`] is the published one. A new model is a file here,
+//! its type named below, and an entry in `kind`.
 
 mod beam_model;
 mod intensity;

@@ -7,7 +7,8 @@ use crate::geometry::Vec3;
 pub struct PointTouch {
     /// Kernel weight, 1 at the foot of the point.
     pub weight: f64,
-    /// How far in front of the face the point lies, along the outward normal, metres.
+    /// How far in front of the face the point lies, along the outward normal, metres; towards the scanner once it is
+    /// ready to be added to the sums of a station with one place.
     pub deviation: f64,
     /// The point's own variance along that normal, m².
     pub variance: f64,

@@ -1,8 +1,9 @@
 //! The surface that was built, whatever tolerance will be asked.
 //!
-//! A [`SampleReading`] is what the stations state at one sample, as [`Body`]s of evidence. [`Observations`] are all
-//! seen samples of an object. A [`FittedObject`] has for each smooth surface what follows its `trend` (`surface_trend`,
-//! [`FittedSurface`]), and for each face where it is ([`FittedFace`]). From the faces follows the rigid [`Shift`].
+//! A [`SampleReading`] is what the stations state at one sample, as [`Body`]s of evidence, and how far they conflict.
+//! [`Observations`] are all seen samples of an object. A [`FittedObject`] has for each smooth surface what follows its
+//! `trend` (`surface_trend`, [`FittedSurface`]), and for each face where it is ([`FittedFace`]). From the faces follows
+//! the rigid [`Shift`].
 
 mod basis;
 mod body;

@@ -1,9 +1,10 @@
 //! What is said of an object: its verdict at a tolerance, and the numbers behind it.
 //!
-//! The counts of its faces ([`FaceReport`], [`Counts`]) make a tally, the tally a reason, the reason the [`Verdict`]
-//! (`judgement`, with all its `thresholds`). [`Summary`] adds the finest class that holds, the deviation and the
-//! offset; `explain` says it in words. Beside the object: the [`SampleBelief`] at each sample, the [`Contribution`] of
-//! each station, and the evidence to be expected from a [`PlannedStation`].
+//! The counts of its faces ([`FaceReport`], [`Counts`]) make a `tally`, the tally a `reason`, the reason the
+//! [`Verdict`]: `judgement` asks the tally's questions in order, and the first that holds is the reason; `thresholds`
+//! has the numbers. [`Summary`] adds the finest class that holds, the deviation and the offset; `explain` says it in
+//! words. Beside the object: the [`SampleBelief`] at each sample, the [`Contribution`] of each station, and the
+//! evidence to be expected from a [`PlannedStation`].
 
 mod belief;
 mod best_loa;

@@ -4,7 +4,8 @@ use super::ray::Ray;
 use crate::geometry::Vec3;
 use crate::voxel::lattice::VoxelBox;
 
-/// A ray along the slabs' axis: its other two coordinates as functions of the first, which grows.
+/// A ray along the slabs' axis: its other two coordinates as functions of the first, which grows. In voxels from the
+/// bundle's `LocalOrigin`; along the axis with the other sign where the lines run against it.
 #[derive(Debug, Clone, Copy)]
 pub struct SlabLine {
     /// Where it starts along the axis.
@@ -13,8 +14,9 @@ pub struct SlabLine {
     pub to: f64,
     /// Where its return lies along the axis.
     pub end: f64,
+    /// Its other two coordinates where it starts.
     at: [f64; 2],
-    /// Its other two coordinates a voxel along the axis.
+    /// How far its other two coordinates go a voxel along the axis.
     pub slope: [f64; 2],
     /// 1 / slope; infinite for a line that stays in its row.
     inverse_direction: [f64; 2],

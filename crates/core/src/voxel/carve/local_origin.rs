@@ -16,12 +16,12 @@ impl LocalOrigin {
         Self(voxel.map(|i| i.div_euclid(MULTIPLE) * MULTIPLE))
     }
 
-    /// A point in voxels from here.
+    /// A point (world metres) in voxels from here.
     pub fn local(&self, grid: &Grid, world: &Vec3) -> Vec3 {
         Vec3::from_fn(|i, _| world[i] / grid.voxel - self.0[i] as f64)
     }
 
-    /// Number of the voxel that has the number `local` from here.
+    /// Number on the lattice of the voxel that has the number `local` counted from here.
     pub fn world(&self, local: [i64; 3]) -> [i64; 3] {
         [0, 1, 2].map(|i| local[i] + self.0[i])
     }
