@@ -31,8 +31,8 @@ fn hint(error: &Error) -> Option<String> {
         Error::TriangleIndex { vertices, .. } => {
             format!("Vertex indices count from 0; the last one here is {}.", vertices.saturating_sub(1))
         }
-        Error::PartNumber { parts, .. } => {
-            format!("Parts count from 0; the last one here is {}.", parts.saturating_sub(1))
+        Error::PartNumber { .. } => {
+            "Parts count from 0; give transparent, movable and name an element for each of them.".into()
         }
         Error::OpenSurface => {
             "Ask ab_closedness(solid) first; area, box and verdicts work on open surfaces too.".into()
