@@ -5,7 +5,7 @@ use asbuilt_core::{Error, Result};
 
 use super::SolidArg;
 use super::solid::from_arrays;
-use crate::pg::{Backend, BoolArray, F64Array, Field, I32Array, Rows, SqlValue, TextArray, sql_functions};
+use crate::pg::{Backend, BoolArray, F64Array, Field, I32Array, SqlValue, TextArray, sql_functions};
 
 /// What a caller tells of parts, an element for each.
 struct Told {

@@ -41,6 +41,9 @@ SELECT p.part, p.name, p.transparent, p.movable, round(p.area::numeric, 9) AS ar
 FROM window_of, ab_parts(ab_transform(solid, ab_pose(ARRAY[10, 0, 0], ARRAY[0, 0, 0, 1]))) p;
 
 -- Damage to the parts is told; so is a value that ends before them.
+SET client_min_messages = warning;
+DROP CAST IF EXISTS (bytea AS ab_solid);
+RESET client_min_messages;
 CREATE CAST (bytea AS ab_solid) WITHOUT FUNCTION;
 \set VERBOSITY sqlstate
 SELECT ab_parts(set_byte(b, length(b) - 1, get_byte(b, length(b) - 1) # 1)::ab_solid) FROM (SELECT _ab_solid_send(solid) b FROM window_of) x;

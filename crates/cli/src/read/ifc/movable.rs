@@ -4,10 +4,11 @@
 //! that plane, and is no glass, is frame (below it, of a door, only what is low: leaves reach the floor too). The rest are leaves where it is
 //! as large as one and stands along both sides and below, as a plate or a ring does and mullions do not; and whatever
 //! lies within a leaf: panes, bars, handles. Told apart by items first; where that finds no leaf, by what hangs together.
-//! Names (`looks/words.rs`) come before the geometry. A door of which nothing can be told apart moves as a whole; such
+//! Names (`looks/words.rs`) come before the geometry; in a window of which everything is named as a leaf, they tell
+//! nothing. A door of which nothing can be told apart moves as a whole; such
 //! a window does not move.
 
-use super::looks::Role;
+use super::looks::{Role, is_fixed};
 use super::outline::{Outline, Unit};
 use super::{Part, Product};
 
@@ -24,7 +25,8 @@ const MAX_THRESHOLD: f64 = 0.25;
 pub fn mark(product: &mut Product) {
     let is_door = product.ifc_class.starts_with("IfcDoor");
     let is_window = product.ifc_class.starts_with("IfcWindow");
-    if !(is_door || is_window) || product.is_fixed || product.triangles.is_empty() {
+    let is_fixed = product.is_fixed || (is_window && is_fixed(&product.name));
+    if !(is_door || is_window) || is_fixed || product.triangles.is_empty() {
         return;
     }
     let Some(outline) = Outline::of(product) else { return };
@@ -42,19 +44,20 @@ pub fn mark(product: &mut Product) {
 /// The triangles of leaves and of what lies within them.
 fn leaves(units: &[Unit], outline: &Outline, product: &Product, is_door: bool) -> Vec<usize> {
     let part = |u: &Unit| &product.parts[usize::from(u.part)];
+    let is_opaque_other = |u: &Unit| part(u).role != Role::Leaf && !part(u).is_transparent;
+    let are_told_apart = is_door || units.iter().any(is_opaque_other);
+    let is_named = |u: &Unit| part(u).role == Role::Leaf && are_told_apart;
     let is_frame = |u: &Unit| match part(u).role {
         Role::Frame => true,
-        Role::Leaf => false,
-        Role::Unknown => {
-            !part(u).is_transparent && outline.is_reached_by(u, if is_door { MAX_THRESHOLD } else { f64::INFINITY })
-        }
+        _ if is_named(u) || part(u).is_transparent => false,
+        _ => outline.is_reached_by(u, if is_door { MAX_THRESHOLD } else { f64::INFINITY }),
     };
     let inner: Vec<&Unit> = units.iter().filter(|u| !is_frame(u)).collect();
     let is_pane = |u: &Unit| !is_door && (part(u).is_transparent || outline.fill(u, product) > PLATE);
-    let solid = inner.iter().copied().filter(|u| part(u).role == Role::Leaf || !is_pane(u)).collect();
+    let solid = inner.iter().copied().filter(|u| is_named(u) || !is_pane(u)).collect();
     let is_leaf = |group: &Vec<&Unit>| {
-        let is_named = group.iter().any(|u| part(u).role == Role::Leaf);
-        is_named || (outline.is_large(group, MIN_LEAF) && outline.sides(group, product).iter().all(|&s| s >= MIN_SIDE))
+        let stands = || outline.sides(group, product).iter().all(|&s| s >= MIN_SIDE);
+        group.iter().any(|u| is_named(u)) || (outline.is_large(group, MIN_LEAF) && stands())
     };
     let leaves: Vec<Unit> = outline.groups(solid).into_iter().filter(is_leaf).map(|g| Unit::around(&g)).collect();
     let moving = inner.into_iter().filter(|u| leaves.iter().any(|leaf| outline.is_within(u, leaf)));

@@ -24,8 +24,8 @@ use super::step::Document;
 use materials::{Ingredient, Materials, are_glass};
 use records::{references, relation, text};
 use styles::Styles;
-use words::is_glass;
-pub use words::{Role, role};
+pub use words::{Role, is_fixed};
+use words::{is_glass, role};
 
 /// What is told of a part of a product.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -116,7 +116,9 @@ fn aspects(document: &Document) -> HashMap<u64, String> {
         let Some(name) = text(&values, 1) else { continue };
         for representation in references(&values, 0) {
             let Some(values) = document.find(representation).map(|r| document.values(r)) else { continue };
-            references(&values, 3).into_iter().for_each(|item| drop(out.entry(item).or_insert_with(|| name.clone())));
+            for item in references(&values, 3) {
+                out.entry(item).or_insert_with(|| name.clone());
+            }
         }
     }
     out

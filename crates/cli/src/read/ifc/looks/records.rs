@@ -37,7 +37,9 @@ pub fn relation(document: &Document, keyword: &str, many: usize, one: usize) -> 
     for record in document.all(keyword) {
         let values = document.values(record);
         let Some(to) = reference(&values, one) else { continue };
-        references(&values, many).into_iter().for_each(|from| drop(out.entry(from).or_insert(to)));
+        for from in references(&values, many) {
+            out.entry(from).or_insert(to);
+        }
     }
     out
 }

@@ -257,6 +257,11 @@ fn sashes_move_and_panes_in_a_frame_do_not() {
     };
     assert_eq!(window(&sash, pane, ""), [[false; 4], [true; 4]].concat().into_iter().chain([true]).collect::<Vec<_>>());
     assert_eq!(window(&[], PANE, ""), [false; 5]);
+    // Where everything is named as a sash the names tell nothing.
+    let mut drawn = Drawn::new("IFCWINDOW");
+    let items = [drawn.brep(&frame), drawn.brep(&sash)];
+    items.iter().for_each(|&item| drop(drawn.style(item, "Sash", SOLID, false)));
+    assert_eq!(movable(&drawn.of(&items)), [[false; 4], [true; 4]].concat());
     // A mullion and a transom between fixed panes.
     let bars = [[[0.48, 0.02, 0.06], [0.52, 0.08, 1.94]], [[0.06, 0.02, 0.9], [0.94, 0.08, 0.95]]];
     assert_eq!(window(&bars, PANE, ""), [false; 7]);
@@ -298,6 +303,7 @@ fn models_of_others() {
         }
     }
     assert_eq!(of_duplex["IfcDoor"][2], of_duplex["IfcDoor"][0], "every door has a leaf");
-    assert_eq!(of_duplex["IfcWindow"][1], of_duplex["IfcWindow"][0], "every window has a pane");
+    // Two of 24 are skylights of a single item without any style; 4 are casements, the others are named as fixed.
+    assert_eq!(of_duplex["IfcWindow"], [24, 22, 4]);
     assert_eq!(of_duplex["IfcWallStandardCase"][1..], [0, 0]);
 }

@@ -145,6 +145,15 @@ const LEAVES: [&str; 25] = [
     "dørblad",
 ];
 
+/// Words in the names of windows that do not open.
+const FIXED: [&str; 10] =
+    ["fixed", "fest", "festverglast", "festverglasung", "vast", "fixe", "fijo", "fija", "fisso", "fixo"];
+
+/// Whether the name of a window says that it does not open.
+pub fn is_fixed(name: &str) -> bool {
+    words(name).iter().any(|w| FIXED.contains(&w.as_str()))
+}
+
 /// Whether a name means glass that beams pass.
 pub fn is_glass(name: &str) -> bool {
     let words = words(name);
@@ -237,5 +246,6 @@ mod tests {
         assert_eq!(role("Flügel"), Role::Leaf);
         assert_eq!(role("Sash Frame"), Role::Unknown);
         assert_eq!(role("Frameless"), Role::Unknown);
+        assert!(is_fixed("M_Fixed:819mm x 759mm") && !is_fixed("Casement: Festival"));
     }
 }
