@@ -27,7 +27,9 @@ impl Part {
     fn stored(&self) -> geometry::Part {
         let name = self.name.as_ref().map(|name| {
             let mut short = name.replace('\0', "");
-            short.truncate(short.floor_char_boundary(Parts::MAX_NAME_LEN));
+            while short.len() > Parts::MAX_NAME_LEN {
+                short.pop();
+            }
             short
         });
         geometry::Part { name, is_transparent: self.is_transparent, is_movable: self.is_movable }

@@ -166,8 +166,10 @@ mod tests {
             soup.triangle(ids);
         };
         let (mut old, mut new) = (Soup::default(), Soup::default());
-        (sheet(0.0, 0, &mut old), sheet(1.0, 3, &mut old));
-        (sheet(0.9, 0, &mut new), sheet(0.1, 0, &mut new));
+        sheet(0.0, 0, &mut old);
+        sheet(1.0, 3, &mut old);
+        sheet(0.9, 0, &mut new);
+        sheet(0.1, 0, &mut new);
         new.take_parts(&old);
         assert_eq!(new.part_numbers, [3, 0]);
         assert!((distance(&old.corners(0).map(Vec3::from), &Vec3::new(-3.0, -4.0, 0.0)) - 5.0).abs() < 1e-12);
