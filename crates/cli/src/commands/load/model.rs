@@ -112,6 +112,8 @@ fn report(source: &str, model: &ifc::IfcModel, meshed: usize, open: &[String], b
         model.unmeshed.len()
     );
     say!("  box {}", shown(bounds));
+    let with = |k: usize| model.products.iter().filter(|p| p.flags()[k]).count();
+    say!("  {} objects have transparent parts, {} movable ones", with(0), with(1));
     list("open surface (area and verdict, no volume)", open);
     let missing: Vec<String> = model.unmeshed.iter().map(|(name, why)| format!("{name}: {why}")).collect();
     list("missing", &missing);

@@ -8,7 +8,7 @@ use asbuilt_core::geometry::Closedness;
 use super::meshing::FARTHEST_M;
 use super::reader::Progress;
 use super::told::{Drafts, IfcHeader, Outcome};
-use super::{IfcModel, Product};
+use super::{IfcModel, Part, Product, movable};
 
 pub fn model(progress: Progress) -> Result<IfcModel> {
     let IfcHeader { mut drafts, whole_of, left_out, words, map_conversion, length_unit } =
@@ -24,6 +24,7 @@ pub fn model(progress: Progress) -> Result<IfcModel> {
         model.unmeshed.extend(missing.map(|reason| (draft.product.shown(), reason)));
     }
     gather_parts(&mut drafts, &whole_of);
+    drafts.values_mut().for_each(|d| movable::mark(&mut d.product));
     let keep = |p: &super::told::Draft| p.has_body || !p.product.triangles.is_empty();
     model.products = drafts.into_values().filter(keep).map(|d| d.product).collect();
     if model.products.iter().all(|p| p.triangles.is_empty()) {
@@ -35,16 +36,18 @@ pub fn model(progress: Progress) -> Result<IfcModel> {
 
 /// Gives a product its mesh, or says why it has none.
 fn take(product: &mut Product, outcome: Outcome, model: &mut IfcModel) -> Option<String> {
-    let Outcome { soup, note, unproven, mended } = outcome;
+    let Outcome { soup, looks, is_fixed, note, unproven, mended } = outcome;
     model.mended += usize::from(mended);
     if soup.triangles.is_empty() {
         return Some(note.unwrap_or_else(|| {
             "no triangles came of it: look at its items, their placements and its openings".into()
         }));
     }
-    (product.vertices, product.triangles) = (soup.vertices, soup.triangles);
+    let parts = looks.into_iter().map(Part::from).collect();
+    (product.vertices, product.triangles, product.is_fixed) = (soup.vertices, soup.triangles, is_fixed);
+    product.take_parts(soup.part_numbers, parts);
     if let Some(reason) = no_solid(product) {
-        (product.vertices, product.triangles) = Default::default();
+        (product.vertices, product.triangles, product.part_numbers) = Default::default();
         return Some(reason);
     }
     if let Some(grid) = rounded_to(&product.vertices) {
@@ -115,11 +118,13 @@ fn adopt(drafts: &mut Drafts, part: u32, whole: u32, direct: bool) {
     let level = w.product.level_of_accuracy.clone();
     let global_id = w.product.global_id.clone();
     if !w.has_body && p.has_body {
-        let (vertices, triangles) = (p.product.vertices.clone(), p.product.triangles.clone());
+        let Product { vertices, triangles, part_numbers, parts, .. } = p.product.shape();
         if let Some(w) = drafts.get_mut(&whole) {
             let first = w.product.vertices.len() as u32;
             w.product.vertices.extend(vertices);
             w.product.triangles.extend(triangles.iter().map(|t| t.map(|i| i + first)));
+            let numbers: Vec<u16> = parts.into_iter().map(|part| w.product.number_for(part)).collect();
+            w.product.part_numbers.extend(part_numbers.iter().map(|&n| numbers[usize::from(n)]));
         }
     }
     if let Some(p) = drafts.get_mut(&part) {

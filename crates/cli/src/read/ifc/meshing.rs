@@ -54,6 +54,8 @@ pub struct Meshed {
     pub soup: Soup,
     /// What the library said about it.
     pub note: Option<String>,
+    /// The record of each of its items, where it is known; the numbers of the mesh's parts count these.
+    pub items: Vec<Option<u32>>,
 }
 
 impl Meshing {
@@ -191,7 +193,7 @@ impl Meshing {
 
     fn produce(&self, id: u32, decoder: &mut EntityDecoder<'static>, router: &GeometryRouter) -> Meshed {
         let Ok(entity) = decoder.decode_by_id(id) else {
-            return Meshed { soup: Soup::default(), note: Some("its record cannot be read".into()) };
+            return Meshed { soup: Soup::default(), note: Some("its record cannot be read".into()), items: Vec::new() };
         };
         let (no_styles, no_palettes, no_colours, no_textures) = Default::default();
         let context = MeshProductionContext {
@@ -212,14 +214,15 @@ impl Meshing {
         };
         let produced = produce_element_meshes(&job, &context, &MeshProductionOptions::default(), decoder, router);
         let mut note = complaint(&produced, decoder, router);
-        let mut soup = Soup::default();
+        let (mut soup, mut items) = (Soup::default(), Vec::new());
         for mesh in produced.meshes.iter().filter(|m| m.geometry_class == 0) {
+            soup.begin_part(number(&mut items, mesh.geometry_item_id));
             soup.add(&mesh.positions, &mesh.indices, |p| self.world(p, mesh.origin));
         }
         if soup.triangles.is_empty() {
             note = self.loss(id, note, produced.degenerate_triangles_dropped > 0);
         }
-        Meshed { soup, note }
+        Meshed { soup, note, items }
     }
 
     /// Why a product has no mesh: what its records tell, otherwise what the library says.
@@ -230,6 +233,14 @@ impl Meshing {
         let said = found.map(|f| format!("it cannot be meshed: {f}")).or(is_degenerate.then(|| POINTS.into()));
         said.or(note)
     }
+}
+
+/// The number of the next item; when all numbers are taken, the last one, of which nothing is known.
+fn number(items: &mut Vec<Option<u32>>, item: Option<u32>) -> u16 {
+    const LAST: usize = u16::MAX as usize;
+    items.truncate(LAST);
+    items.push(item.filter(|_| items.len() < LAST));
+    (items.len() - 1) as u16
 }
 
 /// No coordinate of a building can be larger, metres.

@@ -7,7 +7,9 @@
 //! * [`diagnose`]: why a product has no mesh;
 //! * [`worker`], [`watch`], [`reach`]: the child's side, product by product;
 //! * [`told`]: what passes between the two;
+//! * [`looks`]: which of its items are glass, by styles and materials;
 //! * [`reader`], [`assemble`]: the parent's side;
+//! * [`part`]: the parts of a product; [`outline`], [`movable`]: which of a door or window move;
 //! * [`table`]: a model as text.
 
 mod assemble;
@@ -16,7 +18,11 @@ mod cut;
 mod diagnose;
 #[cfg(test)]
 mod field_tests;
+mod looks;
 mod meshing;
+mod movable;
+mod outline;
+mod part;
 mod reach;
 mod reader;
 mod relations;
@@ -42,6 +48,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::read::{Unit, unit};
 
+pub use part::Part;
 pub use reader::{Limits, read};
 pub use step::MapConversion;
 pub use table::print_table;
@@ -65,6 +72,11 @@ pub struct Product {
     /// World metres.
     pub vertices: Vec<[f64; 3]>,
     pub triangles: Vec<[u32; 3]>,
+    /// For each triangle the number of its part.
+    pub part_numbers: Vec<u16>,
+    pub parts: Vec<Part>,
+    /// A door or window of which nothing opens.
+    pub is_fixed: bool,
     /// What the geometry library said about it.
     pub note: Option<String>,
 }
@@ -124,11 +136,11 @@ impl Product {
             return Ok(None);
         }
         let vertices: Vec<Vec3> = self.vertices.iter().map(|v| Vec3::from(*v)).collect();
-        let solid = Solid::new(vertices.clone(), self.triangles.clone())?;
+        let solid = self.with_parts(Solid::new(vertices.clone(), self.triangles.clone())?)?;
         if solid.closedness() == Closedness::Open {
             let mut turned = self.triangles.clone();
             if orient(&vertices, &mut turned) > 0 {
-                let mended = Solid::new(vertices, turned)?;
+                let mended = self.with_parts(Solid::new(vertices, turned)?)?;
                 if mended.closedness() != Closedness::Open {
                     return Ok(Some(mended));
                 }

@@ -166,7 +166,7 @@ impl Progress {
             WorkerMessage::Header(header) => self.header = Some(*header),
             WorkerMessage::Begun(id) => drop(self.running.insert(id)),
             WorkerMessage::Meshed(id, outcome) => {
-                self.bytes += 24 * outcome.soup.vertices.len() as u64 + 12 * outcome.soup.triangles.len() as u64;
+                self.bytes += 24 * outcome.soup.vertices.len() as u64 + 14 * outcome.soup.triangles.len() as u64;
                 if self.bytes > limits.memory / 4 {
                     bail!("its meshes take more than a quarter of --max-memory {}", memory::shown(limits.memory));
                 }

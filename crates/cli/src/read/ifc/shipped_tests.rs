@@ -6,7 +6,7 @@ use std::process::Command;
 
 use asbuilt_core::geometry::Closedness;
 
-use super::Model;
+use super::IfcModel;
 use super::field_tests::model;
 
 /// Products by class.
@@ -95,7 +95,7 @@ fn the_shipped_models_are_what_the_generator_writes() {
 }
 
 /// Every product with its class, a storey and a closed solid (a whole has that of its parts); nothing to tell.
-fn read_whole(name: &str, counts: Counts) -> Model {
+fn read_whole(name: &str, counts: Counts) -> IfcModel {
     let bytes = shipped(&format!("models/{name}"));
     assert!(bytes.len() < 400_000, "{name}");
     let model = model(&bytes).unwrap();

@@ -8,6 +8,7 @@ use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
 
 use super::Product;
+use super::looks::Look;
 use super::soup::Soup;
 use super::step::MapConversion;
 
@@ -36,6 +37,10 @@ pub struct IfcHeader {
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Outcome {
     pub soup: Soup,
+    /// What is told of each of its items.
+    pub looks: Vec<Look>,
+    /// A door or window of which nothing opens.
+    pub is_fixed: bool,
     pub note: Option<String>,
     /// Why the cut of its openings is not proven.
     pub unproven: Option<String>,

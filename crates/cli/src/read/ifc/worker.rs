@@ -13,6 +13,7 @@ use ifc_lite_processing::{GEOMETRY_STACK_BYTES, geometry_pool_builder};
 
 use super::attributes;
 use super::cut::{Cut, Cutter};
+use super::looks::Looks;
 use super::meshing::{Meshing, Warm};
 use super::step::Step;
 use super::told::{IfcHeader, Outcome, Task, WorkerMessage};
@@ -78,7 +79,7 @@ pub(super) fn tell(
         let n = attributes.drafts.len();
         return Err(format!("it holds no product with a body ({n} products without): export it with its 3D geometry"));
     }
-    let notes = super::reach::notes(step, &index, &attributes.drafts);
+    let known = Known { notes: super::reach::notes(step, &index, &attributes.drafts), looks: Looks::read(text) };
     let meshing = Meshing::new(text, index, step.angle)?;
     if !task.has_header {
         let mut drafts = attributes.drafts;
@@ -96,7 +97,7 @@ pub(super) fn tell(
     let mut times = (Duration::ZERO, Duration::ZERO);
     for (ids, threads) in [(task.alone.clone(), 1), (rest, threads(limits.memory))] {
         let mut crew = MeshingPool::new(&cutter, ids, limits);
-        crew.run(threads, &notes, &mut times, out).map_err(|e| e.to_string())?;
+        crew.run(threads, &known, &mut times, out).map_err(|e| e.to_string())?;
     }
     WorkerMessage::End { meshing: times.0, checks: times.1 }.write(out).map_err(|e| e.to_string())
 }
@@ -107,6 +108,12 @@ fn threads(memory: u64) -> usize {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let most = memory / (8 * GEOMETRY_STACK_BYTES as u64);
     cores.min(usize::try_from(most).unwrap_or(usize::MAX)).max(1)
+}
+
+/// What is known of products besides their meshes.
+struct Known<'a> {
+    notes: HashMap<u32, String>,
+    looks: Looks<'a>,
 }
 
 /// What a thread reports.
@@ -145,7 +152,7 @@ impl MeshingPool {
     fn run(
         &mut self,
         threads: usize,
-        notes: &HashMap<u32, String>,
+        known: &Known,
         times: &mut (Duration, Duration),
         out: &mut impl Write,
     ) -> Result<()> {
@@ -154,7 +161,7 @@ impl MeshingPool {
         }
         while self.left > 0 {
             match self.reports.1.recv_timeout(Duration::from_millis(20)) {
-                Ok(report) => self.take(report, notes, times, out)?,
+                Ok(report) => self.take(report, known, times, out)?,
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => break,
             }
@@ -177,7 +184,7 @@ impl MeshingPool {
     fn take(
         &mut self,
         report: ThreadReport,
-        notes: &HashMap<u32, String>,
+        known: &Known,
         times: &mut (Duration, Duration),
         out: &mut impl Write,
     ) -> Result<()> {
@@ -199,9 +206,11 @@ impl MeshingPool {
                     .write(out);
                 };
                 times.1 += cut.check;
-                let said = cut.meshed.note.into_iter().chain(notes.get(&id).cloned()).collect::<Vec<_>>();
+                let said = cut.meshed.note.into_iter().chain(known.notes.get(&id).cloned()).collect::<Vec<_>>();
                 let note = (!said.is_empty()).then(|| said.join("; "));
-                let outcome = Outcome { soup: cut.meshed.soup, note, unproven: cut.unproven, mended: cut.mended };
+                let (soup, unproven, mended) = (cut.meshed.soup, cut.unproven, cut.mended);
+                let looks = known.looks.of(id, &cut.meshed.items);
+                let outcome = Outcome { soup, looks, is_fixed: known.looks.is_fixed(id), note, unproven, mended };
                 WorkerMessage::Meshed(id, outcome).write(out)
             }
         }

@@ -116,13 +116,15 @@ impl Cutter {
         // Enlarged ones last: where an opening folds flat upon itself they would cut a slit as wide as they grew.
         let right = exact.or_else(|| self.again(id, is_right)).or_else(|| by_kernel(&kernel::OUTWARDS_M));
         match right {
-            Some(soup) => {
+            Some(mut soup) => {
+                soup.take_parts(&cut.meshed.soup);
+                let items = std::mem::take(&mut cut.meshed.items);
                 let is_gone = soup.triangles.is_empty();
                 let note = is_gone.then(|| "nothing is left of it: its openings cut it away entirely".to_owned());
                 // What the library found hard about its own cut is past; shapes that it lacks are lacking still.
                 let note =
                     note.or_else(|| cut.meshed.note.take().filter(|n| !n.starts_with(super::meshing::DIFFICULT)));
-                (cut.meshed, cut.mended) = (Meshed { soup, note }, true);
+                (cut.meshed, cut.mended) = (Meshed { soup, note, items }, true);
             }
             None => cut.unproven = Some(doubt(off)),
         }

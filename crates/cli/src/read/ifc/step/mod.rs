@@ -39,10 +39,11 @@ mod voids;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use document::{Document, Edits};
+pub use document::Document;
+use document::Edits;
 pub use map_conversion::MapConversion;
 pub use turn::turned_text;
-pub use value::references;
+pub use value::{Value, references};
 
 /// A file as the geometry library reads it.
 pub struct Step<'a> {
