@@ -5,7 +5,7 @@ use asbuilt_core::{Error, Result};
 
 use super::SolidArg;
 use super::solid::from_arrays;
-use crate::pg::{Backend, BoolArray, F64Array, Field, I32Array, SqlValue, TextArray, sql_functions};
+use crate::pg::{Backend, BoolArray, F64Array, I32Array, RowField, SqlValue, TextArray, sql_functions};
 
 /// What a caller tells of parts, an element for each.
 struct Told {
@@ -75,12 +75,12 @@ sql_functions! {
         let parts = solid.parts().map_or(&whole[..], Parts::list);
         for (n, (part, (triangles, area))) in parts.iter().zip(solid.part_measures()).enumerate() {
             rows.push(&[
-                Field::I32(n as i32),
-                Field::or_null(part.name.clone(), Field::Text),
-                Field::F64(area),
-                Field::Bool(part.is_transparent),
-                Field::Bool(part.is_movable),
-                Field::I32(triangles as i32),
+                RowField::I32(n as i32),
+                RowField::or_null(part.name.clone(), RowField::Text),
+                RowField::F64(area),
+                RowField::Bool(part.is_transparent),
+                RowField::Bool(part.is_movable),
+                RowField::I32(triangles as i32),
             ]);
         }
         Ok(SqlValue::Null)

@@ -1,7 +1,7 @@
 //! Parts of a solid: which of its triangles are panes, which may stand elsewhere.
 
 use crate::error::{Error, Limited, Result};
-use crate::num::bytes::{Put, ByteReader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::{Grow, Interrupt, poll_now_and_then};
 
 /// Bits of a part's flags as they are stored.

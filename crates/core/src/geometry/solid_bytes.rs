@@ -9,7 +9,7 @@
 use super::solid::check;
 use super::{Aabb, Closedness, Parts, Solid, Vec3};
 use crate::error::{Error, Result};
-use crate::num::bytes::{Put, ByteReader};
+use crate::num::bytes::{ByteReader, Put};
 use crate::num::sections::{self, BODY, HEADER, begin, checksum, header_end, put_section};
 use crate::{Grow, Interrupt, NEVER, poll_now_and_then};
 
