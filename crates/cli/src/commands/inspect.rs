@@ -9,9 +9,9 @@ use serde_json::{Value, json};
 
 use super::reading::ReadingArgs;
 use crate::output::{safe, say};
-use crate::read::child::{Event, ReadingProcess, ScanHead};
-use crate::read::{self, FileFormat, ifc};
-use crate::stations::Packed;
+use asbuilt_read::child::{Event, ReadingProcess, ScanHead};
+use asbuilt_read::packing::Packed;
+use asbuilt_read::{self as read, FileFormat, ifc};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\

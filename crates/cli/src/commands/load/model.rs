@@ -16,7 +16,7 @@ use crate::database::connect::explain;
 use crate::database::copy;
 use crate::database::names::Names;
 use crate::output::{say, spinner};
-use crate::read::ifc;
+use asbuilt_read::ifc;
 
 /// What is written of a product; a level of accuracy goes by its name.
 const COLUMNS: [(&str, Type); 8] = [
