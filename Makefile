@@ -46,9 +46,12 @@ install: setup
 bench: setup-test
 	scripts/bench.sh
 
-# Verdicts, beliefs and intervals against simulated buildings whose truth is known: writes docs/truth.md and its pictures.
+# Verdicts, beliefs and intervals against simulated buildings whose truth is known: writes docs/truth.md and its pictures;
+# against real buildings under the second scanner, and a real scan: docs/truth-field.md, docs/truth-planted.md.
 truth: setup
 	cargo run --release --quiet -p asbuilt-validation -- --report docs/truth.md
+	cargo run --release --quiet -p asbuilt-validation -- --field --report docs/truth-field.md
+	cargo run --release --quiet -p asbuilt-validation -- --planted --report docs/truth-planted.md
 
 lint:
 	cargo fmt --all --check

@@ -11,7 +11,7 @@ if ! { [ -x $venv/bin/python ] && $venv/bin/python -c 'import ifcopenshell, nump
     exit 0
   fi
 fi
-models=(demo/pavilion.ifc)
+models=(demo/pavilion.ifc demo/models/*.ifc)
 for folder in hall real-room ifc-duplex ifc-fzk-haus ifc-bimwhale ifc-tiny schependomlaan; do
   for file in ../shared/data/$folder/*.ifc; do
     if [ -e "$file" ]; then models+=("$file"); else echo "SKIPPED: $file is not there" >&2; fi

@@ -477,6 +477,31 @@ CREATE FUNCTION ab_line(start float8[], finish float8[], covariance float8[] DEF
     AS 'MODULE_PATHNAME', 'ab_line_make' LANGUAGE c IMMUTABLE PARALLEL SAFE;
 COMMENT ON FUNCTION ab_line(float8[], float8[], float8[]) IS
     'A line between two places, with the 6 x 6 covariance of both ends (none: exact)';
+CREATE FUNCTION ab_solid(
+    vertices float8[], triangles integer[], part integer[], transparent boolean[] DEFAULT NULL,
+    movable boolean[] DEFAULT NULL, name text[] DEFAULT NULL) RETURNS ab_solid
+    AS 'MODULE_PATHNAME', 'ab_solid_make_parts' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 1000;
+COMMENT ON FUNCTION ab_solid(float8[], integer[], integer[], boolean[], boolean[], text[]) IS
+    'A solid of parts: part has a number from 0 for each triangle; transparent (most beams pass it: glass), movable (it '
+    'may stand elsewhere than drawn: a leaf, a sash) and name have an element for each part';
+CREATE TYPE ab_part_row AS (
+    part integer, name text, area float8, transparent boolean, movable boolean, triangles integer);
+COMMENT ON TYPE ab_part_row IS 'A part of a solid';
+COMMENT ON COLUMN ab_part_row.part IS 'Its number, from 0';
+COMMENT ON COLUMN ab_part_row.name IS
+    'What it is called; of a model that was loaded, its shape aspect, style or material; NULL where nobody knows';
+COMMENT ON COLUMN ab_part_row.area IS 'Area of its triangles, square metres';
+COMMENT ON COLUMN ab_part_row.transparent IS 'Whether most beams pass it and return from behind';
+COMMENT ON COLUMN ab_part_row.movable IS 'Whether it may stand elsewhere than drawn without being built wrongly';
+COMMENT ON COLUMN ab_part_row.triangles IS 'Number of its triangles, 0 or more';
+CREATE FUNCTION ab_parts(solid ab_solid) RETURNS SETOF ab_part_row
+    AS 'MODULE_PATHNAME', 'ab_solid_parts' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 4;
+COMMENT ON FUNCTION ab_parts(ab_solid) IS
+    'The parts of a solid by their numbers; a solid without parts is a single one, neither transparent nor movable';
+CREATE FUNCTION ab_triangle_parts(solid ab_solid) RETURNS integer[]
+    AS 'MODULE_PATHNAME', 'ab_solid_triangle_parts' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000;
+COMMENT ON FUNCTION ab_triangle_parts(ab_solid) IS
+    'For each triangle the number of its part, from 0, in the order of ab_triangles';
 CREATE TYPE ab_plucker_row AS (line float8[], covariance float8[]);
 COMMENT ON TYPE ab_plucker_row IS 'A line in homogeneous coordinates';
 COMMENT ON COLUMN ab_plucker_row.line IS

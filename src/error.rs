@@ -13,7 +13,7 @@ fn code(error: &Error) -> Code {
         | Error::Mismatch(_)
         | Error::Lattice(_)
         | Error::Covariance { .. } => Code::ERRCODE_INVALID_PARAMETER_VALUE,
-        Error::TriangleIndex { .. } => Code::ERRCODE_ARRAY_ELEMENT_ERROR,
+        Error::TriangleIndex { .. } | Error::PartNumber { .. } => Code::ERRCODE_ARRAY_ELEMENT_ERROR,
         Error::OpenSurface | Error::TotalConflict | Error::Degenerate { .. } => Code::ERRCODE_DATA_EXCEPTION,
         Error::Syntax { .. } => Code::ERRCODE_INVALID_TEXT_REPRESENTATION,
         Error::Binary { .. } => Code::ERRCODE_INVALID_BINARY_REPRESENTATION,
@@ -30,6 +30,9 @@ fn hint(error: &Error) -> Option<String> {
     Some(match error {
         Error::TriangleIndex { vertices, .. } => {
             format!("Vertex indices count from 0; the last one here is {}.", vertices.saturating_sub(1))
+        }
+        Error::PartNumber { .. } => {
+            "Parts count from 0; give transparent, movable and name an element for each of them.".into()
         }
         Error::OpenSurface => {
             "Ask ab_closedness(solid) first; area, box and verdicts work on open surfaces too.".into()
@@ -96,6 +99,8 @@ fn of_limit(what: Limited) -> Option<&'static str> {
         Limited::VoxelIndex => Some("Use larger voxels, or bring the coordinates nearer to zero."),
         Limited::Slice => Some("Cut the occupancy first: ab_clip(occupancy, box)."),
         Limited::Tiles => Some("Use larger tiles, or a smaller area."),
+        Limited::Parts => Some("Give triangles that share their flags the same number."),
+        Limited::PartName => Some("Give it a shorter name: left(name, 100)."),
         Limited::Evidence => Some("Put the samples farther apart (spacing), or split the solid."),
         Limited::FitPoints => Some("Fit to a sample of the points: WHERE random() < 0.1."),
         Limited::StoredForm | Limited::TextForm | Limited::TextArgument | Limited::Triangles => None,

@@ -37,6 +37,20 @@ FROM   ab_vertices(ab_solid(ARRAY[[0, 0, 0], [4, 0, 0], [0, 0, 2.5]], ARRAY[[0, 
 SELECT t AS triangles, array_length(ab_triangles(ab_solid(ab_box(0, 0, 0, 4, 0.2, 2.5))), 1) AS of_a_cuboid
 FROM   ab_triangles(ab_solid(ARRAY[[0, 0, 0], [4, 0, 0], [0, 0, 2.5]], ARRAY[[0, 1, 2]])) t;
 
+-- ab_parts
+-- A pane in a frame of which only the front is drawn.
+SELECT part, name, area, transparent, triangles
+FROM   ab_parts(ab_solid(ARRAY[[0, 0, 0], [1, 0, 0], [1, 0, 2], [0, 0, 2], [0.1, 0, 0.1], [0.9, 0, 0.1], [0.9, 0, 1.9],
+                               [0.1, 0, 1.9]],
+                         ARRAY[[0, 1, 5], [0, 5, 4], [1, 2, 6], [1, 6, 5], [2, 3, 7], [2, 7, 6], [3, 0, 4], [3, 4, 7],
+                               [4, 5, 6], [4, 6, 7]],
+                         part => ARRAY[0, 0, 0, 0, 0, 0, 0, 0, 1, 1], transparent => ARRAY[false, true],
+                         name => ARRAY['frame', 'pane']));
+
+-- ab_triangle_parts
+SELECT ab_triangle_parts(ab_solid(ARRAY[[0, 0, 0], [4, 0, 0], [4, 0, 2], [0, 0, 2]], ARRAY[[0, 1, 2], [0, 2, 3]],
+                                  part => ARRAY[0, 1], movable => ARRAY[false, true])) AS numbers;
+
 -- ab_transform(ab_solid, ab_pose)
 -- Half a turn about the vertical axis, then 10 m along x.
 SELECT ab_box(ab_transform(ab_solid(ab_box(1, 0, 0, 5, 2, 2.5)), pose)) AS turned

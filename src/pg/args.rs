@@ -211,6 +211,11 @@ impl Args {
         self.list(i, what)
     }
 
+    pub(super) fn bool_list(&self, i: usize, what: &'static str) -> Result<Vec<bool>> {
+        // A bool is stored as a byte, 0 or 1.
+        Ok(self.list::<u8>(i, what)?.into_iter().map(|b| b != 0).collect())
+    }
+
     fn list<T: Copy>(&self, i: usize, what: &'static str) -> Result<Vec<T>> {
         let (dims, values) = unsafe { array::read(self.datum(i), what) }?;
         match dims.len() {
@@ -219,8 +224,8 @@ impl Args {
         }
     }
 
-    /// An array of one of our variable-length types; NULL elements are skipped.
-    pub(super) fn bytes_array(&self, i: usize, what: &'static str) -> Result<Vec<&[u8]>> {
+    /// An array of a variable-length type aligned to four bytes; `None` for NULL elements.
+    pub(super) fn bytes_array(&self, i: usize, what: &'static str) -> Result<Vec<Option<&[u8]>>> {
         unsafe { array::read_varlenas(self.datum(i), what) }
     }
 

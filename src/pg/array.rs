@@ -35,11 +35,11 @@ pub unsafe fn read<T: Copy>(datum: pg_sys::Datum, what: &'static str) -> Result<
     }
 }
 
-/// The elements of an array of a variable-length type aligned to four bytes, fetched; NULL elements are skipped.
+/// The elements of an array of a variable-length type aligned to four bytes, fetched; `None` for NULL.
 ///
 /// # Safety
 /// `datum` must be such an array, and live as long as the slices.
-pub unsafe fn read_varlenas<'a>(datum: pg_sys::Datum, what: &'static str) -> Result<Vec<&'a [u8]>> {
+pub unsafe fn read_varlenas<'a>(datum: pg_sys::Datum, what: &'static str) -> Result<Vec<Option<&'a [u8]>>> {
     unsafe {
         let array = pg_sys::pg_detoast_datum(datum.cast_mut_ptr()).cast::<pg_sys::ArrayType>();
         if (*array).ndim > 1 {
@@ -48,9 +48,10 @@ pub unsafe fn read_varlenas<'a>(datum: pg_sys::Datum, what: &'static str) -> Res
         let (mut elements, mut nulls, mut count) = (std::ptr::null_mut(), std::ptr::null_mut(), 0);
         let align = b'i' as std::ffi::c_char;
         pg_sys::deconstruct_array(array, (*array).elemtype, -1, false, align, &mut elements, &mut nulls, &mut count);
-        let present = (0..count as usize).filter(|&k| !*nulls.add(k));
+        let is_present = |k: &usize| !*nulls.add(*k);
         let value = |k: usize| super::toast::fetch((*elements.add(k)).cast_mut_ptr());
-        Ok(present.map(|k| pgrx::varlena::varlena_to_byte_slice(value(k))).collect())
+        let bytes = |k: usize| pgrx::varlena::varlena_to_byte_slice(value(k));
+        Ok((0..count as usize).map(|k| Some(k).filter(is_present).map(bytes)).collect())
     }
 }
 

@@ -3,6 +3,7 @@
 use asbuilt_core::Result;
 use nalgebra::SMatrix;
 
+use super::encoding::from_server;
 use super::{Args, FromArg};
 
 /// A `float8[]`.
@@ -12,6 +13,10 @@ pub struct F64Array<'a>(&'a Args, usize);
 /// An `int4[]`.
 #[derive(Debug)]
 pub struct I32Array<'a>(&'a Args, usize);
+
+/// A `boolean[]`.
+#[derive(Debug)]
+pub struct BoolArray<'a>(&'a Args, usize);
 
 /// A `text[]`.
 #[derive(Debug)]
@@ -32,6 +37,7 @@ macro_rules! arrays {
 arrays! {
     F64Array, "float8[]";
     I32Array, "int4[]";
+    BoolArray, "bool[]";
     TextArray, "text[]";
     ScanArray, "ab_scan[]";
 }
@@ -80,11 +86,23 @@ impl I32Array<'_> {
     }
 }
 
+impl BoolArray<'_> {
+    /// Any number of them in one dimension.
+    pub fn list(&self, what: &'static str) -> Result<Vec<bool>> {
+        self.0.bool_list(self.1, what)
+    }
+}
+
 impl TextArray<'_> {
+    /// Texts in one dimension, by the database's encoding; `None` for NULL.
+    pub fn texts(&self, what: &'static str) -> Result<Vec<Option<String>>> {
+        Ok(self.0.bytes_array(self.1, what)?.into_iter().map(|text| text.map(from_server)).collect())
+    }
+
     /// The words; NULL elements are skipped.
     pub fn words(&self, what: &'static str) -> Result<Vec<String>> {
         let words = self.0.bytes_array(self.1, what)?;
-        Ok(words.into_iter().map(|w| String::from_utf8_lossy(w).into_owned()).collect())
+        Ok(words.into_iter().flatten().map(|w| String::from_utf8_lossy(w).into_owned()).collect())
     }
 }
 
@@ -95,6 +113,6 @@ pub struct ScanArray<'a>(&'a Args, usize);
 impl<'a> ScanArray<'a> {
     /// The bytes of each patch; NULL elements are skipped.
     pub fn elements(&self, what: &'static str) -> Result<Vec<&'a [u8]>> {
-        self.0.bytes_array(self.1, what)
+        Ok(self.0.bytes_array(self.1, what)?.into_iter().flatten().collect())
     }
 }

@@ -4,6 +4,7 @@ use asbuilt_core::evidence::Loa;
 use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 
+use super::encoding::to_server;
 use super::scratch::scratch_context;
 use super::sql_value::{fixed, varlena};
 use super::{Args, array};
@@ -51,7 +52,7 @@ impl RowField {
             Self::I32(v) => pg_sys::Datum::from(*v),
             Self::I64(v) => pg_sys::Datum::from(*v),
             Self::F64(v) => pg_sys::Datum::from(v.to_bits() as usize),
-            Self::Text(s) => varlena(s.as_bytes()),
+            Self::Text(s) => varlena(&to_server(s)),
             Self::Bytes(b) => varlena(b),
             Self::Loa(l) => pg_sys::Datum::from(enum_value(column_type, l.name())),
             Self::Vector(v) => array::of_f64(v, &[3]),

@@ -16,6 +16,7 @@ mod memory;
 mod occupancy;
 mod order;
 pub mod overlap;
+mod parts;
 mod patch;
 pub mod planes;
 mod relation;
@@ -55,6 +56,7 @@ pub const DECLARED: &[&[Declared]] = &[
     occupancy::DECLARED,
     order::DECLARED,
     overlap::DECLARED,
+    parts::DECLARED,
     patch::DECLARED,
     relation::DECLARED,
     samples::DECLARED,

@@ -25,7 +25,8 @@ impl SolidArg<'_> {
     }
 }
 
-fn from_arrays(vertices: &F64Array, triangles: &I32Array) -> Result<Solid> {
+/// A solid of arrays, without parts.
+pub fn from_arrays(vertices: &F64Array, triangles: &I32Array) -> Result<Solid> {
     let vertices: Vec<Vec3> = vertices.triples("the solid's vertices")?.into_iter().map(Vec3::from).collect();
     let triangles = triangles.triples("the solid's triangles")?;
     for (t, tri) in triangles.iter().enumerate() {

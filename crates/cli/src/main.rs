@@ -1,8 +1,7 @@
 //! `asbuilt`: load models and laser scans into PostgreSQL, verify, compare epochs, simulate.
 //!
 //! * [`commands`]: what the user calls, one file each;
-//! * [`read`]: file formats, each read by a child process under a budget of [`memory`];
-//! * [`stations`]: from points read to packed patches;
+//! * `asbuilt_read`, a crate of its own: file formats, each read by a child process under a budget of memory;
 //! * [`database`]: connection, tables, COPY;
 //! * [`change`]: two epochs compared in voxels;
 //! * [`forecast`]: what a planned survey would prove;
@@ -12,10 +11,7 @@ mod change;
 mod commands;
 mod database;
 mod forecast;
-mod memory;
 mod output;
-mod read;
-mod stations;
 
 use clap::{Parser, Subcommand};
 use output::{say, say_error};
@@ -63,7 +59,7 @@ enum Command {
     MeshIfc(commands::mesh_ifc::MeshIfcArgs),
     /// Read a file of scans and write packed patches to standard output (the loader's child process)
     #[command(hide = true)]
-    ReadScan(read::child::Job),
+    ReadScan(asbuilt_read::child::Job),
 }
 
 fn main() {

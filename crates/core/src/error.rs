@@ -27,6 +27,16 @@ pub enum Error {
         /// Number of vertices.
         vertices: usize,
     },
+    /// A triangle names a part that does not exist.
+    #[error("triangle {triangle} belongs to part {part}, but the solid has {parts} parts")]
+    PartNumber {
+        /// Position of the triangle, from 0.
+        triangle: usize,
+        /// The number at fault.
+        part: i64,
+        /// Number of parts.
+        parts: usize,
+    },
     /// Something that needs at least one element got none.
     #[error("{what} is empty")]
     Empty {
@@ -183,6 +193,12 @@ pub enum Limited {
     /// Vertices or triangles of a solid.
     #[error("the number of vertices or triangles")]
     Triangles,
+    /// Parts of a solid.
+    #[error("the number of parts")]
+    Parts,
+    /// What a part is called.
+    #[error("the length of a part's name")]
+    PartName,
     /// Beams of one patch.
     #[error("the number of beams of a patch")]
     PatchBeams,

@@ -1,14 +1,14 @@
 //! Bending a body.
 
-use asbuilt_core::geometry::{Solid, Vec3};
+use asbuilt_core::Result;
+use asbuilt_core::geometry::{Parts, Solid, Vec3};
 use nalgebra::{Matrix3, SymmetricEigen};
 
 /// Pieces along the body's longest extent: the chords of a 60 mm bow then lie within 0.1 mm of the curve.
 const PIECES: f64 = 32.0;
 
-/// Vertices and triangles of a body whose middle, along its longest extent, is displaced by `bow` (m), as half a sine
-/// wave.
-pub fn bowed(solid: &Solid, bow: &Vec3) -> (Vec<Vec3>, Vec<[u32; 3]>) {
+/// A body whose middle, along its longest extent, is displaced by `bow` (m), as half a sine wave.
+pub fn bowed(solid: &Solid, bow: &Vec3) -> Result<Solid> {
     let axis = longest_axis(solid);
     let along = |v: &Vec3| v.dot(&axis);
     let (low, high) = solid
@@ -17,14 +17,16 @@ pub fn bowed(solid: &Solid, bow: &Vec3) -> (Vec<Vec3>, Vec<[u32; 3]>) {
         .map(along)
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
     let most = (high - low) / PIECES;
-    let mut vertices = Vec::new();
+    let (mut vertices, mut parts) = (Vec::new(), Vec::new());
     for t in 0..solid.triangles().len() {
         cut(solid.corners(t), &along, most, &mut vertices);
+        parts.resize(vertices.len() / 3, solid.parts().map_or(0, |parts| parts.number_of(t) as u16));
     }
     let bend = |v: &Vec3| v + bow * (std::f64::consts::PI * (along(v) - low) / (high - low)).sin();
     let bent: Vec<Vec3> = vertices.iter().map(bend).collect();
     let triangles = (0..bent.len() as u32 / 3).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
-    (bent, triangles)
+    let bent = Solid::new(bent, triangles)?;
+    solid.parts().map_or(Ok(bent.clone()), |told| bent.with_parts(Parts::new(parts, told.list().to_vec())?))
 }
 
 /// Halves the edge that extends farthest along the axis until none exceeds `most`. Neighbours cut a shared edge in the
@@ -59,13 +61,17 @@ fn longest_axis(solid: &Solid) -> Vec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use asbuilt_core::geometry::Closedness;
+    use asbuilt_core::geometry::{Closedness, Part};
 
     #[test]
     fn a_wall_bends_in_its_middle_and_stays_closed() {
         let wall = Solid::cuboid([0.0; 3], [6.0, 0.2, 3.0]).unwrap();
-        let (vertices, triangles) = bowed(&wall, &Vec3::new(0.0, 0.03, 0.0));
-        let bent = Solid::new(vertices, triangles).unwrap();
+        let pane = Part { is_transparent: true, ..Part::default() };
+        let numbers = (0..12).map(|t| u16::from(t < 2)).collect();
+        let wall = wall.with_parts(Parts::new(numbers, vec![Part::default(), pane]).unwrap()).unwrap();
+        let bent = bowed(&wall, &Vec3::new(0.0, 0.03, 0.0)).unwrap();
+        let (before, after) = (wall.part_measures()[1], bent.part_measures()[1]);
+        assert!(after.0 > before.0 && (after.1 - before.1).abs() < 0.01, "{before:?} {after:?}");
         assert_ne!(bent.closedness(), Closedness::Open);
         for v in bent.vertices() {
             let want = 0.03 * (std::f64::consts::PI * v.x / 6.0).sin();

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
+use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, Vec3};
 use nalgebra::{Rotation3, Unit};
 use serde::Deserialize;
@@ -143,12 +144,8 @@ impl Change {
         };
         let rotation = Rotation3::from_axis_angle(&axis, self.tilt_deg.to_radians());
         let bow = Vec3::from(self.bow);
-        let (vertices, triangles) = if bow == Vec3::zeros() {
-            (solid.vertices().to_vec(), solid.triangles().to_vec())
-        } else {
-            bowed(solid, &bow)
-        };
-        let moved = vertices.iter().map(|v| rotation * (v - foot) + foot + Vec3::from(self.shift)).collect();
-        Ok(Some(Solid::new(moved, triangles)?))
+        let bent = if bow == Vec3::zeros() { solid.clone() } else { bowed(solid, &bow)? };
+        let shift = Vec3::from(self.shift);
+        Ok(Some(bent.placed(|v| rotation * (v - foot) + foot + shift, NEVER)?))
     }
 }

@@ -3,11 +3,13 @@
 //! * [`building`]: layouts as drawn; [`built`]: what was built otherwise; [`survey`]: scanners and their places;
 //! * [`truth`]: what is true of an object, from its built surface alone;
 //! * [`case`]: one object under one survey, evidence compared with truth;
-//! * [`tally`], [`report`], [`picture`]: the numbers, docs/truth.md and its pictures.
+//! * [`tally`], [`report`], [`picture`]: the numbers, docs/truth.md and its pictures;
+//! * [`field`]: the same questions on real buildings, by another scanner.
 
 mod building;
 mod built;
 mod case;
+mod field;
 mod picture;
 mod report;
 mod survey;
@@ -47,6 +49,15 @@ struct Args {
     /// Verify every object by itself, as ab_evidence_agg does, not together with its neighbours
     #[arg(long)]
     alone: bool,
+    /// Real buildings under the second scanner instead of the standard set
+    #[arg(long)]
+    field: bool,
+    /// Surfaces of the model of a real scan moved by known amounts, instead of the standard set
+    #[arg(long, conflicts_with = "field")]
+    planted: bool,
+    /// With --field: a line for every object-case, the wrong ones first
+    #[arg(long, value_name = "FILE.csv", requires = "field")]
+    cases: Option<PathBuf>,
     /// Write the report here, pictures and the numbers of meyer2022 beside it
     #[arg(long, value_name = "FILE.md")]
     report: Option<PathBuf>,
@@ -57,6 +68,19 @@ const SHORT: [usize; 5] = [0, 2, 4, 7, 9];
 
 fn main() -> Result<()> {
     let args = Args::parse();
+    let report = args.report.as_deref();
+    match () {
+        () if args.planted => field::planted::run(report),
+        () if args.field => {
+            let (only, cases) = (&args.scene[..], args.cases.as_deref());
+            field::run(&field::Task { only, short: args.short, seed: args.seed, cases, report })
+        }
+        () => standard(&args),
+    }
+}
+
+/// The standard set.
+fn standard(args: &Args) -> Result<()> {
     let numbers: Vec<usize> = match () {
         () if !args.scene.is_empty() => args.scene.clone(),
         () if args.short => SHORT.to_vec(),

@@ -1,6 +1,5 @@
 //! `ab_pose`: constructor, accessors, and everything through one.
 
-use asbuilt_core::geometry::Solid;
 use asbuilt_core::uncertain::{UncertainLine, UncertainPlane, UncertainPoint, UncertainPose};
 use asbuilt_core::{Error, Result};
 use nalgebra::SMatrix;
@@ -43,9 +42,7 @@ sql_functions! {
     fn ab_pose_inverse(pose: UncertainPose) { ret(&pose.inverse()?) }
 
     fn ab_transform_solid(solid: SolidArg, pose: UncertainPose) {
-        let solid = solid.read()?;
-        let vertices = solid.vertices().iter().map(|v| pose.apply(v)).collect();
-        let moved = Solid::interruptible(vertices, solid.triangles().to_vec(), &Backend)?;
+        let moved = solid.read()?.placed(|v| pose.apply(v), &Backend)?;
         Ok(SqlValue::Bytes(moved.to_bytes(&Backend)?))
     }
 }

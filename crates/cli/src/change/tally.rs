@@ -10,8 +10,8 @@ use rayon::prelude::*;
 use super::tiles::ChangeTile;
 use crate::database::connect::explain;
 use crate::database::names::Names;
-use crate::memory;
 use crate::output::say;
+use asbuilt_read::memory;
 
 /// What the report is about.
 pub struct ChangeReport {

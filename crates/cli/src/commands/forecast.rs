@@ -14,7 +14,7 @@ use super::simulate::read_stations;
 use crate::forecast::next::{Unseen, best_place};
 use crate::forecast::room::Room;
 use crate::output::{Format, Table, rounded, say, spinner};
-use crate::read::ifc;
+use asbuilt_read::ifc;
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\

@@ -9,9 +9,9 @@ use serde_json::{Value, json};
 
 use super::reading::ReadingArgs;
 use crate::output::{safe, say};
-use crate::read::child::{Event, ReadingProcess, ScanHead};
-use crate::read::{self, FileFormat, ifc};
-use crate::stations::Packed;
+use asbuilt_read::child::{Event, ReadingProcess, ScanHead};
+use asbuilt_read::packing::Packed;
+use asbuilt_read::{self as read, FileFormat, ifc};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -115,7 +115,11 @@ fn corners(b: &Aabb) -> Option<[[f64; 3]; 2]> {
 fn model(file: &Path, reading: &ReadingArgs) -> Result<Value> {
     let model = ifc::read(file, reading.limits())?.in_unit(reading.options.file_unit)?;
     let (mut bounds, mut open, mut classes) = (Aabb::EMPTY, Vec::new(), std::collections::BTreeMap::new());
+    let (mut transparent, mut movable) = (0u64, 0u64);
     for product in &model.products {
+        let [is_transparent, is_movable] = product.flags();
+        transparent += u64::from(is_transparent);
+        movable += u64::from(is_movable);
         *classes.entry(product.ifc_class.as_str()).or_insert(0u64) += 1;
         if let Some(solid) = product.solid()? {
             bounds = bounds.union(&solid.bounds());
@@ -132,6 +136,8 @@ fn model(file: &Path, reading: &ReadingArgs) -> Result<Value> {
         "products": model.products.len(),
         "classes": classes,
         "open": open,
+        "transparent": transparent,
+        "movable": movable,
         "missing": named(&model.unmeshed),
         "noted": named(&model.noted),
         "left_out": model.left_out,

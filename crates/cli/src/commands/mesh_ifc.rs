@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use anyhow::Result;
 
-use crate::read::ifc::{Limits, WorkerLimits, answer, print_table};
+use asbuilt_read::ifc::{Limits, WorkerLimits, answer, print_table};
 
 #[derive(clap::Args, Debug)]
 pub struct MeshIfcArgs {

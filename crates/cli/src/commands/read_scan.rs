@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 
-use crate::read::child::{Job, answer};
+use asbuilt_read::child::{Job, answer};
 
 pub fn run(job: &Job) -> Result<()> {
     answer(job)

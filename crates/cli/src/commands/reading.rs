@@ -5,9 +5,9 @@ use std::time::Duration;
 
 use anyhow::{Result, bail};
 
-use crate::memory;
-use crate::read::child::Job;
-use crate::read::{ReadOptions, ifc};
+use asbuilt_read::child::Job;
+use asbuilt_read::memory;
+use asbuilt_read::{ReadOptions, ifc};
 
 #[derive(clap::Args, Debug, Clone)]
 pub struct ReadingArgs {

@@ -8,7 +8,7 @@ use asbuilt_core::num::text::numbers;
 use asbuilt_simulate::{Changes, Drawn, Scanner, Scene, write_e57};
 
 use crate::output::{count, progress, say, spinner};
-use crate::read::ifc::{self, Product};
+use asbuilt_read::ifc::{self, Product};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\

@@ -10,7 +10,9 @@
 //! * [`weld`]: vertices at one place as one;
 //! * [`closedness`]: whether a mesh bounds a volume;
 //! * [`orient`]: triangles turned to look outward;
+//! * [`parts`]: panes, leaves and the rest of a mesh;
 //! * [`solid`]: the mesh of an object;
+//! * [`solid_bytes`]: the same, stored;
 //! * [`adjacency`]: triangles beside each other;
 //! * [`face`]: triangles that make a face;
 //! * [`triangulate`]: polygons as triangles;
@@ -25,8 +27,10 @@ mod ewkb;
 mod face;
 mod hilbert;
 mod orient;
+mod parts;
 mod perpendicular;
 mod solid;
+mod solid_bytes;
 pub mod split;
 mod triangulate;
 mod weld;
@@ -41,8 +45,10 @@ pub(crate) use face::BLUNT_EDGE_COS;
 pub use face::{Faces, group_faces};
 pub use hilbert::hilbert;
 pub use orient::orient;
+pub use parts::{Part, Parts};
 pub(crate) use perpendicular::perpendiculars;
-pub use solid::{Solid, SolidHeader};
+pub use solid::Solid;
+pub use solid_bytes::SolidHeader;
 
 /// A point or vector in metres.
 pub type Vec3 = nalgebra::Vector3<f64>;

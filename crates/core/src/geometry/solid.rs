@@ -3,37 +3,27 @@
 use super::closedness::closedness;
 use super::coordinate::check_coordinates;
 use super::weld::weld;
-use super::{Aabb, Closedness, Vec3};
+use super::{Aabb, Closedness, Parts, Vec3};
 use crate::error::{Error, Limited, Result};
-use crate::num::bytes::{ByteReader, Put};
-use crate::num::sections::{self, BODY, HEADER, begin, checksum, header_end, put_section};
-use crate::{Grow, Interrupt, NEVER, poll_now_and_then};
-
-const TY: &str = "ab_solid";
+use crate::{Interrupt, NEVER, poll_now_and_then};
 
 /// A triangle mesh, world coordinates in metres, triangles counter-clockwise seen from outside.
 ///
-/// Stored as a container of sections (`num/sections.rs`), version 2, letter `'S'`, whose first note is the closedness.
-/// The header's content, little-endian: vertex count u32, triangle count u32, box 6×f64, area f64, volume f64 (NaN when
-/// open); the body: vertices 3×f64, triangles 3×u32. Version 1 is read: the letter, closedness u8, 0 u8, both counts,
-/// CRC-32 of the body u32, the rest of the header, the body.
+/// Its triangles may be told apart as [`Parts`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
-    vertices: Vec<Vec3>,
-    triangles: Vec<[u32; 3]>,
-    bounds: Aabb,
-    area: f64,
-    volume: f64,
-    closedness: Closedness,
+    pub(super) vertices: Vec<Vec3>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) bounds: Aabb,
+    pub(super) area: f64,
+    /// NaN when open.
+    pub(super) volume: f64,
+    pub(super) closedness: Closedness,
+    /// None for a solid of one part about which nothing is known.
+    pub(super) parts: Option<Parts>,
 }
 
 impl Solid {
-    /// Layout version written by this release.
-    pub const VERSION: u8 = 2;
-    /// Bytes that suffice for [`Solid::header`], whatever the version.
-    pub const HEADER_LEN: usize = header_end(72);
-    /// Bytes of the header of version 1.
-    const FLAT_HEADER_LEN: usize = 80;
     /// Most vertices or triangles of one solid; keeps a value within PostgreSQL's 1 GB.
     pub const MAX_ELEMENTS: usize = 20_000_000;
 
@@ -53,7 +43,7 @@ impl Solid {
         for (i, t) in triangles.iter().enumerate() {
             poll_now_and_then(i, interrupt)?;
             let [a, b, c] = t.map(|i| vertices[i as usize] - centre);
-            area += 0.5 * (b - a).cross(&(c - a)).norm();
+            area += area_of(&[a, b, c]);
             six_volume += a.dot(&b.cross(&c));
         }
         if closedness != Closedness::Open && six_volume < 0.0 {
@@ -61,7 +51,7 @@ impl Solid {
             six_volume = -six_volume;
         }
         let volume = if closedness == Closedness::Open { f64::NAN } else { six_volume / 6.0 };
-        Ok(Self { vertices, triangles, bounds, area, volume, closedness })
+        Ok(Self { vertices, triangles, bounds, area, volume, closedness, parts: None })
     }
 
     /// A cuboid between two corners, 12 triangles. World metres.
@@ -126,150 +116,63 @@ impl Solid {
         self.closedness
     }
 
+    /// Its parts; `None` for a solid of one part about which nothing is known.
+    pub fn parts(&self) -> Option<&Parts> {
+        self.parts.as_ref()
+    }
+
+    /// The same solid with these parts, one number for each triangle; parts that tell nothing are none.
+    pub fn with_parts(mut self, parts: Parts) -> Result<Self> {
+        let (told, triangles) = (parts.triangles(), self.triangles.len());
+        if told != triangles {
+            let value = format!("{told} numbers for {triangles} triangles");
+            return Err(Error::argument("the list of part numbers", "of one number for each triangle", value));
+        }
+        self.parts = Some(parts).filter(|parts| !parts.is_plain());
+        Ok(self)
+    }
+
+    /// Whether triangle `t` belongs to a part that most beams pass.
+    pub fn is_transparent(&self, t: usize) -> bool {
+        self.parts.as_ref().is_some_and(|parts| parts.part_of(t).is_transparent)
+    }
+
+    /// Whether triangle `t` belongs to a part that may stand elsewhere than drawn.
+    pub fn is_movable(&self, t: usize) -> bool {
+        self.parts.as_ref().is_some_and(|parts| parts.part_of(t).is_movable)
+    }
+
+    /// Number of triangles and area, m², of each part; of the whole for a solid without parts.
+    pub fn part_measures(&self) -> Vec<(usize, f64)> {
+        let mut measures = vec![(0, 0.0); self.parts.as_ref().map_or(1, |parts| parts.list().len())];
+        for t in 0..self.triangles.len() {
+            let (triangles, area) = &mut measures[self.parts.as_ref().map_or(0, |parts| parts.number_of(t))];
+            *triangles += 1;
+            *area += area_of(&self.corners(t));
+        }
+        measures
+    }
+
+    /// The solid with every vertex where `place` puts it, its parts kept. World metres.
+    pub fn placed(&self, place: impl Fn(&Vec3) -> Vec3, interrupt: Interrupt) -> Result<Self> {
+        let vertices = self.vertices.iter().map(place).collect();
+        let parts = self.parts.clone();
+        Ok(Self { parts, ..Self::interruptible(vertices, self.triangles.clone(), interrupt)? })
+    }
+
     /// Enclosed volume, m³.
     pub fn volume(&self) -> Result<f64> {
         if self.closedness == Closedness::Open { Err(Error::OpenSurface) } else { Ok(self.volume) }
     }
-
-    /// Checksum over vertices and triangles, to tell two geometries apart.
-    pub fn fingerprint(&self, interrupt: Interrupt) -> Result<u32> {
-        let mut payload = Vec::new();
-        payload.grow(self.payload_len(), interrupt)?;
-        self.put_payload(&mut payload, interrupt)?;
-        checksum(&[&payload], interrupt)
-    }
-
-    fn payload_len(&self) -> usize {
-        24 * self.vertices.len() + 12 * self.triangles.len()
-    }
-
-    fn put_payload(&self, out: &mut Vec<u8>, interrupt: Interrupt) -> Result<()> {
-        for (i, v) in self.vertices.iter().enumerate() {
-            poll_now_and_then(i, interrupt)?;
-            out.put_vec3(v);
-        }
-        for (i, t) in self.triangles.iter().enumerate() {
-            poll_now_and_then(i, interrupt)?;
-            t.iter().for_each(|&i| out.put_u32(i));
-        }
-        Ok(())
-    }
-
-    /// The stored and transmitted form.
-    pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
-        let mut out = Vec::new();
-        out.grow(Self::HEADER_LEN + 12 + self.payload_len(), interrupt)?;
-        begin(Self::VERSION, b'S', [self.closedness as u8, 0], &mut out);
-        put_section(HEADER, &mut out, interrupt, |out| {
-            out.put_u32(self.vertices.len() as u32);
-            out.put_u32(self.triangles.len() as u32);
-            self.bounds.min.iter().chain(&self.bounds.max).for_each(|&c| out.put_f64(c));
-            out.put_f64(self.area);
-            out.put_f64(self.volume);
-            Ok(())
-        })?;
-        put_section(BODY, &mut out, interrupt, |out| self.put_payload(out, interrupt))?;
-        Ok(out)
-    }
-
-    /// Reads bytes from outside: everything that can be derived is derived anew, so nothing in them is trusted.
-    pub fn from_bytes(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
-        let (vertices, triangles) = Self::mesh_of(bytes, interrupt)?;
-        Self::interruptible(vertices, triangles, interrupt)
-    }
-
-    /// Reads bytes that this database wrote: the mesh is checked, what the header says about it is taken as it is.
-    pub fn from_stored(bytes: &[u8], interrupt: Interrupt) -> Result<Self> {
-        let (vertices, triangles) = Self::mesh_of(bytes, interrupt)?;
-        check(&vertices, &triangles, interrupt)?;
-        let SolidHeader { bounds, area, volume, closedness, .. } = Self::header(bytes)?;
-        Ok(Self { vertices, triangles, bounds, area, volume, closedness })
-    }
-
-    fn mesh_of(bytes: &[u8], interrupt: Interrupt) -> Result<(Vec<Vec3>, Vec<[u32; 3]>)> {
-        let (_, n_vertices, n_triangles) = Self::open(bytes)?;
-        let mut r = ByteReader::new(Self::payload_of(bytes, interrupt)?, TY);
-        if r.remaining() as u64 != 24 * n_vertices as u64 + 12 * n_triangles as u64 {
-            return Err(r.bad(format!("{n_vertices} vertices and {n_triangles} triangles do not fill its length")));
-        }
-        let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-        vertices.grow(n_vertices, interrupt)?;
-        for i in 0..n_vertices {
-            poll_now_and_then(i, interrupt)?;
-            vertices.push(r.vec3()?);
-        }
-        triangles.grow(n_triangles, interrupt)?;
-        for i in 0..n_triangles {
-            poll_now_and_then(i, interrupt)?;
-            triangles.push([r.u32()?, r.u32()?, r.u32()?]);
-        }
-        Ok((vertices, triangles))
-    }
-
-    /// Box, area, volume and closedness from the first [`Solid::HEADER_LEN`] bytes alone.
-    pub fn header(bytes: &[u8]) -> Result<SolidHeader> {
-        let (mut r, vertices, triangles) = Self::open(bytes)?;
-        let closedness = Closedness::from_u8(bytes[2]).ok_or_else(|| r.bad("unknown closedness"))?;
-        let (min, max) = (r.vec3()?, r.vec3()?);
-        let bounds = Aabb { min: min.into(), max: max.into() };
-        Ok(SolidHeader { bounds, area: r.f64()?, volume: r.f64()?, closedness, vertices, triangles })
-    }
-
-    /// Numbers of vertices and triangles, and what follows them in the header.
-    fn open(bytes: &[u8]) -> Result<(ByteReader<'_>, usize, usize)> {
-        let mut r = ByteReader::new(bytes, TY);
-        let version = r.u8()?;
-        if r.u8()? != b'S' {
-            return Err(r.bad("it does not start as a solid does"));
-        }
-        if version == 0 || version > Self::VERSION {
-            return Err(Error::Version { ty: TY, found: version, known: Self::VERSION });
-        }
-        r.take(2)?;
-        let is_flat = version == 1;
-        let mut r = if is_flat { r } else { sections::header(bytes, TY, NEVER)? };
-        let (vertices, triangles) = (r.u32()? as usize, r.u32()? as usize);
-        if is_flat {
-            r.u32()?;
-        }
-        Ok((r, vertices, triangles))
-    }
-
-    /// Vertices and triangles as they are stored, their checksum checked.
-    fn payload_of<'a>(bytes: &'a [u8], interrupt: Interrupt) -> Result<&'a [u8]> {
-        if bytes.first() == Some(&Self::VERSION) {
-            return sections::read(bytes, TY, [HEADER, BODY], interrupt).map(|[_, body]| body);
-        }
-        let mut r = ByteReader::new(bytes, TY);
-        let (_, expected) = (r.take(12)?, r.u32()?);
-        r.take(Self::FLAT_HEADER_LEN - 16)?;
-        let payload = r.take(r.remaining())?;
-        if checksum(&[payload], interrupt)? == expected {
-            Ok(payload)
-        } else {
-            Err(Error::corrupted(TY, "the checksum does not match"))
-        }
-    }
 }
 
-/// What a solid's header tells without its mesh.
-#[derive(Debug, Clone, Copy)]
-pub struct SolidHeader {
-    /// Box around all vertices.
-    pub bounds: Aabb,
-    /// Surface area, m².
-    pub area: f64,
-    /// Volume, m³; NaN for an open surface.
-    pub volume: f64,
-    /// Whether the mesh bounds a volume.
-    pub closedness: Closedness,
-    /// Number of vertices.
-    pub vertices: usize,
-    /// Number of triangles.
-    pub triangles: usize,
+/// Area of a triangle, m².
+fn area_of([a, b, c]: &[Vec3; 3]) -> f64 {
+    0.5 * (b - a).cross(&(c - a)).norm()
 }
 
-fn check(vertices: &[Vec3], triangles: &[[u32; 3]], interrupt: Interrupt) -> Result<()> {
+/// What every mesh must keep to: enough of everything, no more than fits, no index beyond the vertices.
+pub(super) fn check(vertices: &[Vec3], triangles: &[[u32; 3]], interrupt: Interrupt) -> Result<()> {
     if triangles.is_empty() {
         return Err(Error::Empty { what: "the solid's list of triangles" });
     }
@@ -293,7 +196,7 @@ fn check(vertices: &[Vec3], triangles: &[[u32; 3]], interrupt: Interrupt) -> Res
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
+    use crate::geometry::Part;
 
     #[test]
     fn cuboid_measures() {
@@ -311,16 +214,6 @@ mod tests {
     }
 
     #[test]
-    fn bytes_round_trip_and_header_agrees() {
-        let s = Solid::cylinder([1.0, 2.0, 3.0], 0.2, 3.0, 24).unwrap();
-        let bytes = s.to_bytes(NEVER).unwrap();
-        assert_eq!(Solid::from_bytes(&bytes, NEVER).unwrap(), s);
-        assert_eq!(Solid::from_stored(&bytes, NEVER).unwrap(), s);
-        let h = Solid::header(&bytes[..Solid::HEADER_LEN]).unwrap();
-        assert_eq!((h.bounds, h.area, h.closedness), (s.bounds, s.area, s.closedness));
-    }
-
-    #[test]
     fn bad_meshes_are_refused() {
         let v = vec![Vec3::zeros(), Vec3::x(), Vec3::y()];
         assert!(matches!(Solid::new(v.clone(), vec![]), Err(Error::Empty { .. })));
@@ -334,33 +227,24 @@ mod tests {
     }
 
     #[test]
-    fn damage_is_noticed() {
-        let good = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap().to_bytes(NEVER).unwrap();
-        for at in 0..good.len() {
-            for x in [1, 2, 3, 0x80, 0xff] {
-                let mut bytes = good.clone();
-                bytes[at] ^= x;
-                assert!(Solid::from_bytes(&bytes, NEVER).is_err(), "byte {at}");
-                assert!(Solid::from_stored(&bytes, NEVER).is_err(), "byte {at}");
-            }
-        }
-    }
-
-    proptest! {
-        #[test]
-        fn damaged_bytes_never_panic(
-            cut in 0usize..400,
-            flips in prop::collection::vec((0usize..400, any::<u8>()), 0..8),
-        ) {
-            let mut bytes = Solid::cuboid([0.0; 3], [1.0; 3]).unwrap().to_bytes(NEVER).unwrap();
-            for (at, x) in flips {
-                let n = bytes.len();
-                bytes[at % n] ^= x;
-            }
-            bytes.truncate(bytes.len().saturating_sub(cut % 50));
-            let _ = Solid::from_bytes(&bytes, NEVER);
-            let _ = Solid::from_stored(&bytes, NEVER);
-            let _ = Solid::header(&bytes);
-        }
+    fn parts_go_with_their_triangles() {
+        let cube = Solid::cuboid([0.0; 3], [1.0, 2.0, 3.0]).unwrap();
+        let pane = Part { name: Some("pane".into()), is_transparent: true, is_movable: true };
+        let numbers: Vec<u16> = (0..12).map(|t| u16::from(t < 4)).collect();
+        let parts = Parts::new(numbers, vec![Part::default(), pane]).unwrap();
+        let s = cube.clone().with_parts(parts.clone()).unwrap();
+        assert!(s.is_transparent(3) && s.is_movable(0) && !s.is_transparent(4) && !cube.is_transparent(0));
+        // Its floor and ceiling.
+        assert_eq!(s.part_measures(), [(8, 18.0), (4, 4.0)]);
+        assert_eq!(cube.part_measures(), [(12, 22.0)]);
+        // A mirror image is turned to look outward: its triangles stay in their places.
+        let mirrored = s.placed(|v| Vec3::new(-v.x, v.y, v.z), NEVER).unwrap();
+        assert_eq!((mirrored.parts(), mirrored.part_measures()), (s.parts(), s.part_measures()));
+        assert_ne!(s, cube);
+        let e = Solid::new(cube.vertices.clone(), cube.triangles[1..].to_vec()).unwrap().with_parts(parts);
+        let words = "the list of part numbers must be of one number for each triangle, not 12 numbers for 11 triangles";
+        assert_eq!(e.unwrap_err().to_string(), words);
+        let plain = Parts::new(vec![0; 12], vec![Part::default()]).unwrap();
+        assert_eq!(cube.clone().with_parts(plain).unwrap(), cube);
     }
 }

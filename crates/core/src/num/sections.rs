@@ -89,6 +89,20 @@ pub fn read<'a, const N: usize>(
     tags: [u32; N],
     interrupt: Interrupt,
 ) -> Result<[&'a [u8]; N]> {
+    let found = find(bytes, ty, tags, interrupt)?;
+    if found.iter().any(Option::is_none) {
+        return Err(Error::binary(ty, "a section is missing"));
+    }
+    Ok(found.map(Option::unwrap_or_default))
+}
+
+/// The contents of the sections with these tags, where they are there; all checksums are checked.
+pub fn find<'a, const N: usize>(
+    bytes: &'a [u8],
+    ty: &'static str,
+    tags: [u32; N],
+    interrupt: Interrupt,
+) -> Result<[Option<&'a [u8]>; N]> {
     let mut found: [Option<&[u8]>; N] = [None; N];
     let mut at = PREAMBLE;
     while at < bytes.len() {
@@ -101,10 +115,7 @@ pub fn read<'a, const N: usize>(
         }
         at = end;
     }
-    if found.iter().any(Option::is_none) {
-        return Err(Error::binary(ty, "a section is missing"));
-    }
-    Ok(found.map(Option::unwrap_or_default))
+    Ok(found)
 }
 
 /// Tag and content of the section at a place, and where it ends.
@@ -148,6 +159,9 @@ mod tests {
         let refused = read(&bytes, TY, [HEADER, BODY], NEVER);
         assert_eq!(refused, Err(Error::Section { ty: TY, tag: REQUIRED | 5 }));
         assert!(read(&value(&[(HEADER, b"head")]), TY, [HEADER, BODY], NEVER).is_err());
+        let bytes = value(&[(HEADER, b"head"), (5, b"more")]);
+        let found = find(&bytes, TY, [HEADER, 5, 6], NEVER);
+        assert_eq!(found.unwrap(), [Some(&b"head"[..]), Some(b"more"), None]);
         assert!(read(&value(&[(HEADER, b"a"), (HEADER, b"b")]), TY, [HEADER], NEVER).is_err());
     }
 

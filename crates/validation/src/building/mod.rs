@@ -8,6 +8,7 @@ mod storey;
 use std::f64::consts::TAU;
 
 use anyhow::Result;
+use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, Vec3};
 use nalgebra::Rotation3;
 use rand::Rng;
@@ -98,8 +99,7 @@ impl Placement {
     }
 
     pub fn solid(&self, plan: &Solid) -> Result<Solid> {
-        let vertices = plan.vertices().iter().map(|v| self.point(v)).collect();
-        Ok(Solid::new(vertices, plan.triangles().to_vec())?)
+        Ok(plan.placed(|v| self.point(v), NEVER)?)
     }
 }
 

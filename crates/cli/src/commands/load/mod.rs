@@ -16,7 +16,7 @@ use crate::database::connect::{Database, DatabaseArgs, explain};
 use crate::database::names::Names;
 use crate::database::{layout, tables};
 use crate::output::{Noted, notes, say, say_error};
-use crate::read::{self, FileContents};
+use asbuilt_read::{self as read, FileContents};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\

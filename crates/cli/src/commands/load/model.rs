@@ -16,7 +16,7 @@ use crate::database::connect::explain;
 use crate::database::copy;
 use crate::database::names::Names;
 use crate::output::{say, spinner};
-use crate::read::ifc;
+use asbuilt_read::ifc;
 
 /// What is written of a product; a level of accuracy goes by its name.
 const COLUMNS: [(&str, Type); 8] = [
@@ -112,6 +112,8 @@ fn report(source: &str, model: &ifc::IfcModel, meshed: usize, open: &[String], b
         model.unmeshed.len()
     );
     say!("  box {}", shown(bounds));
+    let with = |k: usize| model.products.iter().filter(|p| p.flags()[k]).count();
+    say!("  {} objects have transparent parts, {} movable ones", with(0), with(1));
     list("open surface (area and verdict, no volume)", open);
     let missing: Vec<String> = model.unmeshed.iter().map(|(name, why)| format!("{name}: {why}")).collect();
     list("missing", &missing);

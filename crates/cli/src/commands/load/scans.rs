@@ -13,8 +13,8 @@ use crate::database::connect::explain;
 use crate::database::copy;
 use crate::database::names::Names;
 use crate::output::{count, progress, say};
-use crate::read::child::{Event, ReadingProcess, ScanHead};
-use crate::stations::Packed;
+use asbuilt_read::child::{Event, ReadingProcess, ScanHead};
+use asbuilt_read::packing::Packed;
 
 pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -> Result<()> {
     let source = source(file);
