@@ -43,12 +43,17 @@ struct Leg {
     within_pane: bool,
 }
 
+impl Leg {
+    /// Of the ray as it leaves the scanner.
+    fn first(origin: &Vec3, direction: &Vec3) -> Self {
+        Self { origin: *origin, direction: *direction, travelled: 0.0, share: 1.0, surfaces: 0, within_pane: false }
+    }
+}
+
 /// The echoes of a ray, added to `out`; `weight` is its part of the beam's power.
 pub fn echoes(view: &View, origin: &Vec3, direction: &Vec3, weight: f64, max_range: f64, out: &mut Vec<Echo>) {
-    let first =
-        Leg { origin: *origin, direction: *direction, travelled: 0.0, share: 1.0, surfaces: 0, within_pane: false };
     // Most ways have one leg: nothing is allocated for them.
-    let (mut first, mut legs) = (Some(first), Vec::new());
+    let (mut first, mut legs) = (Some(Leg::first(origin, direction)), Vec::new());
     while let Some(leg) = first.take().or_else(|| legs.pop()) {
         let Some(met) = view.first(&leg.origin, &leg.direction, OFF_M) else { continue };
         let range = leg.travelled + met.range;

@@ -80,9 +80,8 @@ fn case(
 ) -> Result<Case> {
     let (object, fate) = (&scene.layout.objects[number], &scene.fates[number]);
     let model = *evidence.model();
-    let tolerance = loa(scene, number).upper();
     let summary = evidence.summary(&model.question, &VerdictRule::default(), NEVER)?;
-    let mut right = right(object, fate, (truths, returns), tolerance, border(scene));
+    let mut right = right(object, fate, (truths, returns), loa(scene, number).upper(), border(scene));
     if delivery == Delivery::Merged {
         // Without rays nothing is seen to be empty.
         allow_silence(&mut right.verdicts);
