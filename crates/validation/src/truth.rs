@@ -14,6 +14,10 @@ const FACE_SHARE: f64 = 0.03;
 const FACE_SAMPLES: usize = 10;
 /// With fewer beams on it than these an object may stay unobserved.
 const FEW_BEAMS: f64 = 60.0;
+/// Share of every well-seen surface that must keep the tolerance (USIBD).
+const KEEPS: f64 = 0.95;
+/// A surface's samples are worth no more independent ones than this.
+const INDEPENDENT: usize = 200;
 
 /// The built surface of one object.
 pub struct BuiltSurface {
@@ -133,19 +137,20 @@ pub struct Expected {
 }
 
 /// The right answer from the truth at samples `(face, truth)`. An object whose worst face keeps the tolerance in 95 %
-/// of its places is as drawn, one that keeps it in less than 75 % is not; between the two both may be said.
+/// of its places is as drawn, one that keeps it in less is not (USIBD); within two standard deviations of chance, of
+/// [`INDEPENDENT`] samples, both may be said.
 pub fn expected(samples: &[(usize, SampleTruth)], missing: bool, tolerance: f64, min_coverage: f64) -> Expected {
     let seen: Vec<&(usize, SampleTruth)> = samples.iter().filter(|(_, t)| t.sight.stations > 0).collect();
     let share = |n: usize| n as f64 / samples.len().max(1) as f64;
     let returning = share(seen.iter().filter(|(_, t)| t.sight.returns).count());
     let beams: f64 = seen.iter().map(|(_, t)| t.sight.beams).sum();
-    let [most, bulk] = [0.95, 0.75].map(|q| if missing { f64::INFINITY } else { worst_face(&seen, q) });
+    let [most, surely] = [0.0, 2.0].map(|sd| if missing { f64::INFINITY } else { worst_face(&seen, sd) });
     let mut verdicts = Vec::new();
     if share(seen.len()) >= min_coverage {
         match () {
             () if missing => verdicts.push(Verdict::Absent),
             () if most <= tolerance => verdicts.push(Verdict::Confirmed),
-            () if bulk > tolerance => verdicts.push(Verdict::Deviating),
+            () if surely > tolerance => verdicts.push(Verdict::Deviating),
             () => verdicts.extend([Verdict::Confirmed, Verdict::Deviating]),
         }
     }
@@ -154,12 +159,13 @@ pub fn expected(samples: &[(usize, SampleTruth)], missing: bool, tolerance: f64,
         verdicts.push(Verdict::Unobserved);
     }
     let finest = Loa::ALL.into_iter().rev().find(|l| most <= l.upper());
-    let margin = (most - tolerance).abs().min((bulk - tolerance).abs());
+    let margin = (most - tolerance).abs().min((surely - tolerance).abs());
     Expected { verdicts, loa: if missing { None } else { finest }, margin }
 }
 
-/// This quantile of the distances of the worst of the faces that count, or of all.
-fn worst_face(seen: &[&(usize, SampleTruth)], share: f64) -> f64 {
+/// The distance that [`KEEPS`] of the worst of the faces that count keep, or of all, less so many standard deviations of
+/// chance.
+fn worst_face(seen: &[&(usize, SampleTruth)], sd: f64) -> f64 {
     if seen.is_empty() {
         return 0.0;
     }
@@ -170,7 +176,8 @@ fn worst_face(seen: &[&(usize, SampleTruth)], share: f64) -> f64 {
         |d: &Vec<f64>| d.len() >= FACE_SAMPLES.min(seen.len()) && d.len() as f64 >= FACE_SHARE * seen.len() as f64;
     let quantile = |mut d: Vec<f64>| {
         d.sort_by(f64::total_cmp);
-        d[((d.len() as f64 * share) as usize).min(d.len() - 1)]
+        let chance = (KEEPS * (1.0 - KEEPS) / d.len().min(INDEPENDENT) as f64).sqrt();
+        d[((d.len() as f64 * (KEEPS - sd * chance).max(0.0)) as usize).min(d.len() - 1)]
     };
     let all = quantile(seen.iter().map(|(_, t)| t.distance).collect());
     by_face.into_iter().filter(counts).map(quantile).fold(all, f64::max)

@@ -1,11 +1,12 @@
 //! What the beams of many stations tell of a solid, and the verdict that follows.
 //!
-//! Five rooms after the stages of the method, and the models that they share. A room uses only those before it:
+//! Six rooms after the stages of the method, and the models that they share. A room uses only those before it:
 //!
 //! * [`aim`]: where the beams of a patch would meet a solid that was made ready (`Target`);
 //! * [`model`]: the parameters ([`EvidenceModel`]), and by kind of model how beams become integer sums and what these
 //!   state;
 //! * [`evidence`]: what is stored, [`Samples`] on the solid and the sums of each [`StationEvidence`] ([`Evidence`]);
+//! * [`sights`]: where all beams ended ([`Sights`]), for a second look at what stayed unobserved;
 //! * [`collect`]: adding patches to the evidence of one solid ([`Collector`]) or of many ([`Verifier`]);
 //! * [`surface`]: from evidence to `Observations` of all seen samples, and the `FittedObject` that was built;
 //! * [`verdict`]: from there to a `Judgement` at one tolerance, and to a [`Summary`].
@@ -20,12 +21,14 @@ mod aim;
 mod collect;
 mod evidence;
 mod model;
+mod sights;
 mod surface;
 mod verdict;
 
 pub use collect::{Collector, Threads, Verifier};
-pub use evidence::{Evidence, EvidenceHeader, Samples, StationEvidence, StationOrigin};
+pub use evidence::{Evidence, EvidenceHeader, Samples, StationEvidence, StationOrigin, Unseen, Why};
 pub use model::{EvidenceModel, IntensityNoise, ModelKind, Question};
+pub use sights::Sights;
 pub use surface::Shift;
 pub use verdict::{
     Contribution, Counts, FaceReport, PlannedStation, SampleBelief, Shares, Summary, Verdict, VerdictRule,

@@ -7,24 +7,26 @@ use crate::scan::RangeImage;
 /// What is met within this of where an object is drawn may be it, metres.
 const MAX_CLAIM_M: f32 = 0.1;
 
-/// For each beam of a patch how near to where objects are drawn it met something: the nearest object and the next one.
+/// For each return of a patch how near to where objects are drawn it lies: the nearest object and the next one.
 #[derive(Debug)]
 pub struct Claims {
     nearest: Vec<Claim>,
+    /// Of the next object, as in [`Claim`].
     next: Vec<f32>,
 }
 
 #[derive(Debug, Clone, Copy)]
 struct Claim {
     object: u32,
-    /// Metres along the drawn face's normal; infinite without a claim.
-    distance: f32,
+    /// How far in front of the drawn face the return lies, metres along its normal on the side it was met from; infinite
+    /// without a claim.
+    deviation: f32,
 }
 
 impl Claims {
-    /// Nobody claims any of so many beams.
+    /// Nobody claims any of so many returns.
     pub fn none(beams: usize) -> Self {
-        let none = Claim { object: u32::MAX, distance: f32::INFINITY };
+        let none = Claim { object: u32::MAX, deviation: f32::INFINITY };
         Self { nearest: vec![none; beams], next: vec![f32::INFINITY; beams] }
     }
 
@@ -33,22 +35,28 @@ impl Claims {
         for crossing in crossings {
             let slot = crossing.slot as usize;
             let cos = -view.directions[slot].dot(&crossing.normal(target));
-            let distance = ((crossing.distance - view.ranges[slot]) * cos).abs() as f32;
-            if distance <= MAX_CLAIM_M {
-                self.stake(slot, object, distance);
-            }
+            self.stake(slot, object, ((crossing.distance - view.ranges[slot]) * cos) as f32);
         }
     }
 
-    /// An object is drawn this far from what the beam met. Each object claims a beam once.
-    fn stake(&mut self, slot: usize, object: u32, distance: f32) {
-        let nearest = &mut self.nearest[slot];
-        if distance < nearest.distance {
-            self.next[slot] = nearest.distance;
-            *nearest = Claim { object, distance };
-        } else {
-            self.next[slot] = self.next[slot].min(distance);
+    /// An object is drawn this far behind what the beam met; farther than [`MAX_CLAIM_M`] is none of its business.
+    /// Each object claims a return once.
+    pub fn stake(&mut self, slot: usize, object: u32, deviation: f32) {
+        if deviation.abs() > MAX_CLAIM_M || deviation.is_nan() {
+            return;
         }
+        let nearest = &mut self.nearest[slot];
+        if deviation.abs() < nearest.deviation.abs() {
+            self.next[slot] = nearest.deviation;
+            *nearest = Claim { object, deviation };
+        } else if deviation.abs() < self.next[slot].abs() {
+            self.next[slot] = deviation;
+        }
+    }
+
+    /// The object drawn nearest to this return, if one is near.
+    pub fn nearest(&self, slot: usize) -> Option<u32> {
+        Some(self.nearest[slot].object).filter(|object| *object != u32::MAX)
     }
 
     /// The claims of all objects but one.
@@ -56,10 +64,9 @@ impl Claims {
         OtherObjects { claims: self, object }
     }
 
-    /// The distance of the nearest of the other objects, metres; infinite where none is near.
     fn of_others(&self, slot: usize, object: u32) -> f32 {
         let nearest = &self.nearest[slot];
-        if nearest.object == object { self.next[slot] } else { nearest.distance }
+        if nearest.object == object { self.next[slot] } else { nearest.deviation }
     }
 }
 
@@ -71,8 +78,8 @@ pub struct OtherObjects<'a> {
 }
 
 impl OtherObjects<'_> {
-    /// How far from what this beam met the nearest other object is drawn, metres; infinite where none is near.
-    pub fn distance(&self, slot: usize) -> f64 {
+    /// How far in front of the nearest other object this return lies, metres; infinite where none is near.
+    pub fn deviation(&self, slot: usize) -> f64 {
         f64::from(self.claims.of_others(slot, self.object))
     }
 }
@@ -84,10 +91,10 @@ mod tests {
     #[test]
     fn an_object_does_not_stand_in_its_own_way() {
         let mut claims = Claims::none(2);
-        for (object, distance) in [(7, 0.03), (8, 0.01), (9, 0.02)] {
-            claims.stake(1, object, distance);
+        for (object, deviation) in [(7, 0.03), (8, -0.01), (9, 0.02), (10, -0.2), (11, f32::NAN)] {
+            claims.stake(1, object, deviation);
         }
-        assert_eq!([7, 8, 9, 1].map(|o| claims.of_others(1, o)), [0.01, 0.02, 0.01, 0.01]);
+        assert_eq!([7, 8, 9, 1].map(|o| claims.of_others(1, o)), [-0.01, 0.02, -0.01, -0.01]);
         assert_eq!(claims.of_others(0, 7), f32::INFINITY);
     }
 }

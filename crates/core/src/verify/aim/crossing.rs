@@ -4,12 +4,19 @@
 //! into the patch's range image and tested only against the beams under it; the nearest crossing wins. A beam so
 //! tells of the one place where it should have met the object, whether at an edge, in an opening, at a
 //! curved face or at a thin wall.
+//!
+//! Glass lets beams through, and a leaf may stand open: a pane or leaf counts only where a beam met it. Every other beam
+//! passes on to the parts behind.
 
 use super::target::Target;
 use super::triangle::TargetTriangle;
 use crate::geometry::Vec3;
 use crate::scan::RangeImage;
 use crate::{Interrupt, Result, poll};
+
+/// A pane or leaf was met when the return lies no farther from it, metres along its normal: what it may be off as built,
+/// and less than what stands behind it.
+const MET_M: f64 = 0.03;
 
 /// Where one beam crosses the solid first.
 #[derive(Debug, Clone, Copy)]
@@ -55,14 +62,17 @@ pub fn crossings(target: &Target, view: &RangeImage, reach: f64, interrupt: Inte
     if runs.peek().is_none() {
         return Ok(Vec::new());
     }
-    let mut nearest = Nearest::none(view.len());
+    let mut fixed = Nearest::none(view.len());
+    let mut optional = Nearest::none(if target.has_optional { view.len() } else { 0 });
     for run in runs {
         poll(interrupt)?;
         for t in run {
+            let nearest = if target.triangles[t].is_optional { &mut optional } else { &mut fixed };
             nearest.cross(target, t, view, reach);
         }
     }
-    Ok(nearest.found().collect())
+    let first = |slot| optional.met(target, view, slot).filter(|o| o.distance < fixed.distance[slot]);
+    Ok((0..view.len()).filter_map(|slot| first(slot).or_else(|| fixed.at(slot))).collect())
 }
 
 impl Nearest {
@@ -74,14 +84,20 @@ impl Nearest {
         }
     }
 
-    fn found(&self) -> impl Iterator<Item = BeamCrossing> + '_ {
-        let crossing = |slot: usize| BeamCrossing {
-            slot: slot as u32,
-            triangle: self.triangle[slot],
-            distance: self.distance[slot],
-            from_behind: self.from_behind[slot],
+    /// The crossing of one beam.
+    fn at(&self, slot: usize) -> Option<BeamCrossing> {
+        let triangle = *self.triangle.get(slot).filter(|t| **t != TargetTriangle::NONE)?;
+        let (distance, from_behind) = (self.distance[slot], self.from_behind[slot]);
+        Some(BeamCrossing { slot: slot as u32, triangle, distance, from_behind })
+    }
+
+    /// The crossing of one beam, if it met something there.
+    fn met(&self, target: &Target, view: &RangeImage, slot: usize) -> Option<BeamCrossing> {
+        let is_met = |crossing: &BeamCrossing| {
+            let cos = view.directions[slot].dot(&crossing.normal(target)).abs();
+            ((view.ranges[slot] - crossing.distance) * cos).abs() <= MET_M
         };
-        (0..self.triangle.len()).filter(|s| self.triangle[*s] != TargetTriangle::NONE).map(crossing)
+        self.at(slot).filter(is_met)
     }
 
     /// Takes the beams for which triangle `t` is nearer than all before.

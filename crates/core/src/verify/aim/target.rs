@@ -1,11 +1,12 @@
 //! A solid made ready for beams: its triangles, who their neighbours are, and balls to cull them by.
 
+use super::nearest_part::PartIndex;
 use super::triangle::TargetTriangle;
 use crate::geometry::{Aabb, Adjacency, BLUNT_EDGE_COS, Closedness, Solid, Vec3};
 use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
 /// Triangles of one culling chunk.
-const CHUNK: usize = 32;
+pub(super) const CHUNK: usize = 32;
 /// Corners nearer to each other than this are one, metres.
 const SAME_CORNER_M: f64 = 1e-6;
 
@@ -17,6 +18,9 @@ pub struct Target {
     chunks: Vec<Ball>,
     /// The faces are seen from both sides (an open surface).
     pub two_sided: bool,
+    /// Some triangles count only where beams met them.
+    pub has_optional: bool,
+    pub(super) parts: PartIndex,
 }
 
 #[derive(Debug)]
@@ -45,7 +49,9 @@ impl Target {
             poll_now_and_then(chunks.len(), interrupt)?;
             chunks.push(Ball::around(chunk));
         }
-        Ok(Self { triangles, chunks, two_sided: solid.closedness() == Closedness::Open })
+        let has_optional = triangles.iter().any(|t| t.is_optional);
+        let two_sided = solid.closedness() == Closedness::Open;
+        Ok(Self { triangles, chunks, two_sided, has_optional, parts: PartIndex::default() })
     }
 
     /// The numbers of the triangles in each chunk whose ball (centre, radius; world metres) `concerns` lets through.
@@ -67,7 +73,8 @@ fn fill(solid: &Solid, triangles: &mut Vec<TargetTriangle>, interrupt: Interrupt
         let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
         if let Some(normal) = n.try_normalize(1e-12) {
             *place = triangles.len() as u32;
-            triangles.push(TargetTriangle { corners, normal, neighbours: [TargetTriangle::NONE; 3] });
+            let is_optional = solid.is_transparent(t) || solid.is_movable(t);
+            triangles.push(TargetTriangle { corners, normal, neighbours: [TargetTriangle::NONE; 3], is_optional });
         }
     }
     Ok(place)
@@ -77,7 +84,7 @@ fn fill(solid: &Solid, triangles: &mut Vec<TargetTriangle>, interrupt: Interrupt
 fn link(t: usize, across: impl Iterator<Item = u32>, triangles: &mut [TargetTriangle]) {
     for u in across {
         let (here, there) = (&triangles[t], &triangles[u as usize]);
-        if here.normal.dot(&there.normal) < BLUNT_EDGE_COS {
+        if here.normal.dot(&there.normal) < BLUNT_EDGE_COS || here.is_optional != there.is_optional {
             continue;
         }
         let shared = |c: &Vec3| there.corners.iter().any(|d| (c - d).norm_squared() <= SAME_CORNER_M * SAME_CORNER_M);

@@ -11,6 +11,8 @@ pub struct TargetTriangle {
     pub normal: Vec3,
     /// Across the edge from each corner to the next; [`TargetTriangle::NONE`] where the surface ends or turns.
     pub neighbours: [u32; 3],
+    /// Of a pane or a leaf: beams may pass its place although it was built.
+    pub is_optional: bool,
 }
 
 impl TargetTriangle {
@@ -42,6 +44,17 @@ impl TargetTriangle {
         let e = b - a;
         a + e * (e.dot(&(point_world - a)) / e.norm_squared().max(1e-24)).clamp(0.0, 1.0)
     }
+
+    /// The distance of a point (world metres) from the triangle, metres.
+    pub fn distance(&self, point_world: &Vec3) -> f64 {
+        match self.crossed_edge(&self.on_plane(point_world)) {
+            None => self.normal.dot(&(point_world - self.corners[0])).abs(),
+            // Beyond one edge of an obtuse triangle another one may be nearer.
+            Some(_) => {
+                (0..3).map(|k| (self.on_edge(k, point_world) - point_world).norm()).fold(f64::INFINITY, f64::min)
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -60,7 +73,7 @@ mod tests {
             let [a, b, c] = corners;
             let n = (b - a).cross(&(c - a));
             prop_assume!(n.norm() > 0.05);
-            let t = TargetTriangle { corners, normal: n.normalize(), neighbours: [TargetTriangle::NONE; 3] };
+            let t = TargetTriangle { corners, normal: n.normalize(), neighbours: [TargetTriangle::NONE; 3], is_optional: false };
             let foot = t.on_plane(&point);
             prop_assert!((foot - a).dot(&t.normal).abs() < 1e-9);
             prop_assert!((point - foot).cross(&t.normal).norm() < 1e-9);
@@ -81,6 +94,7 @@ mod tests {
                 let found = (t.on_edge(k, &point) - point).norm();
                 let brute = nearest.fold(f64::INFINITY, f64::min);
                 prop_assert!(found <= brute + 1e-12 && found >= brute - 0.01, "{found} {brute}");
+                prop_assert!(t.distance(&point) <= brute + 1e-12);
             }
         }
     }

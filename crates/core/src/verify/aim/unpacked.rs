@@ -1,6 +1,7 @@
 //! A patch unpacked once for all the objects that it may concern.
 
 use super::crossing::BeamCrossing;
+use super::near_face::NearFace;
 use crate::Result;
 use crate::geometry::Vec3;
 use crate::scan::{Origins, Patch, PatchHeader, RangeImage, by_origin};
@@ -21,9 +22,13 @@ pub enum UnpackedBeams {
 }
 
 impl Unpacked {
-    /// Number of beams that start at one place; 0 for other patches.
-    pub fn aimed_beams(&self) -> usize {
-        if let UnpackedBeams::FromOne(view) = &self.beams { view.len() } else { 0 }
+    /// Number of returns that objects can claim: of beams from one place, and of points without origin.
+    pub fn claimable(&self) -> usize {
+        match &self.beams {
+            UnpackedBeams::FromOne(view) => view.len(),
+            UnpackedBeams::FromMany(_) => 0,
+            UnpackedBeams::Points(points) => points.len(),
+        }
     }
 
     /// Unpacks a patch; its intensities only if they are asked for.
@@ -60,6 +65,8 @@ pub enum Aim {
     Aside,
     /// The first crossing of every beam that crosses.
     At(Vec<BeamCrossing>),
+    /// Of points without origin, by number, those that lie near a face.
+    Near(Vec<(u32, NearFace)>),
     /// To be found out beam by beam.
     Unknown,
 }
@@ -86,16 +93,16 @@ mod tests {
             Unpacked::of(&Patch::pack(&spec, &beams).unwrap().to_bytes(), true).unwrap()
         };
         let one = unpacked(Origins::One, None);
-        assert_eq!(one.aimed_beams(), 20);
+        assert_eq!(one.claimable(), 20);
         let UnpackedBeams::FromOne(view) = one.beams else { panic!("{:?}", one.beams) };
         assert!(view.intensities.is_some() && view.ranges.iter().filter(|r| r.is_infinite()).count() == 4);
         let starts = (0..20).map(|i| Vec3::new(0.0, f64::from(i / 2), 0.0)).collect();
         let each = unpacked(Origins::Each, Some(starts));
-        assert_eq!(each.aimed_beams(), 0);
+        assert_eq!(each.claimable(), 0);
         let UnpackedBeams::FromMany(views) = each.beams else { panic!("{:?}", each.beams) };
         assert_eq!((views.len(), views.iter().map(RangeImage::len).sum::<usize>()), (10, 20));
         let unknown = unpacked(Origins::Unknown, None);
-        assert_eq!(unknown.aimed_beams(), 0);
+        assert_eq!(unknown.claimable(), 16);
         let UnpackedBeams::Points(points) = unknown.beams else { panic!("{:?}", unknown.beams) };
         assert_eq!(points.len(), 16);
     }

@@ -1,5 +1,7 @@
 //! Adding patches to the evidence about one solid.
 
+use std::sync::OnceLock;
+
 use super::point_index::PointIndex;
 use crate::geometry::{Solid, Vec3};
 use crate::scan::{PatchHeader, RangeImage, Spacing, Vicinity};
@@ -18,7 +20,7 @@ pub struct Collector {
     /// Ball (local centre, radius) around each block of samples.
     balls: Vec<(Vec3, f64)>,
     /// Made when the first point without a beam comes.
-    pub(super) point_index: Option<PointIndex>,
+    pub(super) point_index: OnceLock<PointIndex>,
     /// Displaced by its own thickness, no beam aimed at it meets it.
     is_slim: bool,
 }
@@ -39,12 +41,17 @@ impl Collector {
         let spacing = Samples::effective_spacing(solid, model.spacing).min(EvidenceModel::MAX_SPACING_M);
         let evidence = Evidence::about(solid, EvidenceModel { spacing, ..model }, knows_neighbours, interrupt)?;
         let (balls, is_slim) = (evidence.samples.balls(interrupt)?, evidence.samples.is_slim());
-        Ok(Self { evidence, target: Target::new(solid, interrupt)?, balls, point_index: None, is_slim })
+        Ok(Self { evidence, target: Target::new(solid, interrupt)?, balls, point_index: OnceLock::new(), is_slim })
     }
 
     /// The evidence so far.
     pub fn evidence(&self) -> &Evidence {
         &self.evidence
+    }
+
+    /// Whether some of the solid are panes or leaves.
+    pub(super) fn has_optional(&self) -> bool {
+        self.target.has_optional
     }
 
     /// Gives up the evidence.
@@ -89,14 +96,33 @@ impl Collector {
                 let crossings = crossings(&self.target, view, self.reach(&view.header), interrupt)?;
                 Ok(if crossings.is_empty() && !self.is_slim { Aim::Aside } else { Aim::At(crossings) })
             }
+            UnpackedBeams::Points(points) => {
+                let near = self.near_faces(&patch.header, points, interrupt)?;
+                Ok(if near.is_empty() { Aim::Aside } else { Aim::Near(near) })
+            }
             _ => Ok(Aim::Unknown),
         }
     }
 
-    /// Claims for this solid, number `object`, the beams of the patch that met something near where it is drawn.
+    /// The samples, to be searched by points.
+    pub(super) fn point_index(&self, interrupt: Interrupt) -> Result<&PointIndex> {
+        if let Some(index) = self.point_index.get() {
+            return Ok(index);
+        }
+        let made = PointIndex::of(&self.evidence.samples, self.evidence.model.spacing, interrupt)?;
+        Ok(self.point_index.get_or_init(|| made))
+    }
+
+    /// Claims for this solid, number `object`, what was met near where it is drawn.
     pub(super) fn claim(&self, patch: &Unpacked, aim: &Aim, object: u32, claims: &mut Claims) {
-        if let (UnpackedBeams::FromOne(view), Aim::At(crossings)) = (&patch.beams, aim) {
-            claims.stake_all(view, &self.target, crossings, object);
+        match (&patch.beams, aim) {
+            (UnpackedBeams::FromOne(view), Aim::At(crossings)) => {
+                claims.stake_all(view, &self.target, crossings, object);
+            }
+            (_, Aim::Near(faces)) => {
+                faces.iter().for_each(|(i, face)| claims.stake(*i as usize, object, face.deviation() as f32));
+            }
+            _ => {}
         }
     }
 
@@ -140,7 +166,10 @@ impl Collector {
                 }
                 Ok(())
             }
-            (UnpackedBeams::Points(points), _) => self.absorb_cloud::<M>(&patch.header, points, interrupt),
+            (UnpackedBeams::Points(points), Aim::Near(near)) => {
+                self.absorb_cloud::<M>(&patch.header, points, near, others, interrupt)
+            }
+            (UnpackedBeams::Points(_), _) => Ok(()),
         }
     }
 
@@ -171,7 +200,7 @@ impl Collector {
     ) -> Result<()> {
         let model = self.evidence.model;
         let aimed = AimedAt { target: &self.target, crossings, others };
-        match M::beams(view, &aimed, &model, keep) {
+        match M::beams(view, &aimed, &model, keep, interrupt)? {
             Some(beams) => self.gather::<M>(view, place, &beams, interrupt),
             None => Ok(()),
         }

@@ -5,6 +5,7 @@ use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, PointDistance, RTree};
 
 use crate::geometry::{Aabb, Vec3};
+use crate::verify::aim::NearFace;
 use crate::verify::evidence::Samples;
 use crate::verify::model::{KERNEL_SPACINGS, PointTouch, same_surface};
 use crate::{Interrupt, Result, poll_now_and_then};
@@ -19,6 +20,8 @@ type BlockBox = GeomWithData<Rectangle<[f64; 3]>, u32>;
 #[derive(Debug)]
 pub struct PointIndex {
     tree: RTree<BlockBox>,
+    /// Distance of the samples, metres.
+    sample_spacing: f64,
 }
 
 /// A point, local metres.
@@ -31,9 +34,16 @@ pub struct LocalPoint {
     pub spacing: f64,
 }
 
+impl LocalPoint {
+    /// A point whose uncertainty is the model's. Metres.
+    pub fn exact(position_local: Vec3, spacing: f64) -> Self {
+        Self { position_local, covariance: Matrix3::zeros(), spacing }
+    }
+}
+
 impl PointIndex {
     /// Boxes every block.
-    pub fn of(samples: &Samples, interrupt: Interrupt) -> Result<Self> {
+    pub fn of(samples: &Samples, sample_spacing: f64, interrupt: Interrupt) -> Result<Self> {
         let mut boxes = Vec::with_capacity(samples.blocks.len());
         for (i, block) in samples.blocks.iter().enumerate() {
             poll_now_and_then(i, interrupt)?;
@@ -41,27 +51,36 @@ impl PointIndex {
             let b = Aabb::around(&points);
             boxes.push(BlockBox::new(Rectangle::from_corners(b.min, b.max), i as u32));
         }
-        Ok(Self { tree: RTree::bulk_load(boxes) })
+        Ok(Self { tree: RTree::bulk_load(boxes), sample_spacing })
     }
 
-    /// Calls `visit(block, sample within it, touch)` for every sample around the foot of `point` on the nearest face,
-    /// if the point lies in front of that by at most `in_front` metres, or behind it by at most `behind`.
+    /// The face nearest to a point, if the point lies in front of it by at most `in_front` metres or behind it by at most
+    /// `behind`, and is known well enough to say so.
+    pub fn near_face(&self, samples: &Samples, point: &LocalPoint, (in_front, behind): (f64, f64)) -> Option<NearFace> {
+        let reach = in_front.max(behind);
+        let point_local = point.position_local;
+        let (nearest, normal) = self.nearest(samples, &point_local, reach + point.spacing)?;
+        let off = point_local - nearest;
+        let height = normal.dot(&off);
+        // Samples are no farther apart than this: what is nearer to one lies above the face.
+        let beside = Some((off - normal * height).norm()).filter(|b| *b > self.sample_spacing).unwrap_or(0.0);
+        let sd = normal.dot(&(point.covariance * normal)).max(0.0).sqrt();
+        let is_near = (-behind..=in_front).contains(&height) && sd <= MAX_SD * reach;
+        is_near.then_some(NearFace { normal, height, beside })
+    }
+
+    /// Calls `visit(block, sample within it, touch)` for every sample around the foot of `point` on the face nearest to
+    /// it.
     pub fn gather(
         &self,
         samples: &Samples,
         point: &LocalPoint,
-        (in_front, behind): (f64, f64),
+        face: &NearFace,
         mut visit: impl FnMut(u32, usize, &PointTouch),
     ) {
-        let reach = in_front.max(behind);
         let point_local = point.position_local;
-        let Some((nearest, face_normal)) = self.nearest(samples, &point_local, reach + point.spacing) else { return };
-        let height = face_normal.dot(&(point_local - nearest));
-        let variance = face_normal.dot(&(point.covariance * face_normal)).max(0.0);
-        if !(-behind..=in_front).contains(&height) || variance.sqrt() > MAX_SD * reach {
-            return;
-        }
-        let foot_local = point_local - face_normal * height;
+        let variance = face.normal.dot(&(point.covariance * face.normal)).max(0.0);
+        let foot_local = point_local - face.normal * face.height;
         let radius = KERNEL_SPACINGS * point.spacing;
         let (low, high) = (foot_local.map(|c| c - radius), foot_local.map(|c| c + radius));
         for found in self.tree.locate_in_envelope_intersecting(&AABB::from_corners(low.into(), high.into())) {
@@ -73,11 +92,11 @@ impl PointIndex {
                 let across = v - normal * normal.dot(&v);
                 let lateral_squared = across.norm_squared();
                 let lateral = lateral_squared.sqrt();
-                if lateral_squared > radius * radius || !same_surface(&v, lateral, &face_normal, &normal) {
+                if lateral_squared > radius * radius || !same_surface(&v, lateral, &face.normal, &normal) {
                     continue;
                 }
                 let weight = (-lateral_squared / point.spacing.powi(2)).exp2();
-                let touch = PointTouch { weight, deviation: height, variance, point_local, sample_local, normal };
+                let touch = PointTouch { weight, deviation: face.height, variance, point_local, sample_local, normal };
                 visit(found.data, k, &touch);
             }
         }

@@ -1,14 +1,12 @@
 //! Adding points that no beam was aimed with: clouds without origin, tie points, and what stands beside a slim solid.
 
-use nalgebra::Matrix3;
-
 use super::collector::Collector;
-use super::point_index::{LocalPoint, PointIndex};
+use super::point_index::LocalPoint;
 use crate::geometry::{Aabb, Vec3};
 use crate::scan::{Beam, Patch, PatchHeader, RangeImage};
 use crate::uncertain::UncertainPoint;
-use crate::verify::aim::{BeamCrossing, OtherObjects, image_rectangle};
-use crate::verify::evidence::{Evidence, Samples, StationOrigin};
+use crate::verify::aim::{BeamCrossing, NearFace, OtherObjects, image_rectangle};
+use crate::verify::evidence::{Evidence, StationOrigin};
 use crate::verify::model::{BeamModel, BeamOutcome, PointTouch, may_be_anothers, with_model};
 use crate::{Interrupt, Result, poll};
 
@@ -32,7 +30,9 @@ impl Collector {
         if !M::RAYS_TELL_OF_THEIR_END || cameras.is_empty() {
             let position_local = point.position - self.evidence.samples.reference;
             let local = LocalPoint { position_local, covariance: point.covariance, spacing };
-            self.absorb_points::<M>(&[local], TIE_POINTS, interrupt)?;
+            let index = self.point_index(interrupt)?;
+            let face = index.near_face(&self.evidence.samples, &local, self.bands());
+            self.absorb_points::<M>(face.map(|face| (local, face)).into_iter(), TIE_POINTS, interrupt)?;
         }
         let share = 1.0 / cameras.len().max(1) as f32;
         for camera in cameras {
@@ -52,32 +52,68 @@ impl Collector {
         Ok(())
     }
 
-    pub(super) fn absorb_cloud<M: BeamModel>(
-        &mut self,
+    /// Which points of a cloud without origin lie near which face of the solid.
+    pub(super) fn near_faces(
+        &self,
         header: &PatchHeader,
-        returns: &[Vec3],
+        points: &[Vec3],
         interrupt: Interrupt,
-    ) -> Result<()> {
-        let origin_local = header.origin - self.evidence.samples.reference;
+    ) -> Result<Vec<(u32, NearFace)>> {
+        let (index, samples) = (self.point_index(interrupt)?, &self.evidence.samples);
+        let bands = self.bands();
         let spacing = header.spacing.distance().max(1e-4);
-        let point = |p: &Vec3| LocalPoint { position_local: p + origin_local, covariance: Matrix3::zeros(), spacing };
-        let points: Vec<LocalPoint> = returns.iter().map(point).collect();
-        self.absorb_points::<M>(&points, header.station, interrupt)
-    }
-
-    fn absorb_points<M: BeamModel>(&mut self, points: &[LocalPoint], id: i64, interrupt: Interrupt) -> Result<()> {
-        let Self { evidence, point_index, .. } = self;
-        let index = made(point_index, &evidence.samples, interrupt)?;
-        let model = evidence.model;
-        let bands = (model.band_in_front(), model.band_behind());
-        let number = evidence.station_index(id, StationOrigin::Unknown);
-        let Evidence { samples, stations, .. } = evidence;
-        let station = &mut stations[number];
+        let around = self.evidence.bounds.expanded(bands.0.max(bands.1) + spacing);
+        let mut near = Vec::new();
         for (i, point) in points.iter().enumerate() {
             if i % 64 == 0 {
                 poll(interrupt)?;
             }
-            index.gather(samples, point, bands, |block, k, touch| {
+            let point_world = point + header.origin;
+            if around.holds(&point_world) {
+                let point = LocalPoint::exact(point_world - samples.reference, spacing);
+                near.extend(index.near_face(samples, &point, bands).map(|face| (i as u32, face)));
+            }
+        }
+        Ok(near)
+    }
+
+    /// Adds the points near a face that no other object explains.
+    pub(super) fn absorb_cloud<M: BeamModel>(
+        &mut self,
+        header: &PatchHeader,
+        points: &[Vec3],
+        near: &[(u32, NearFace)],
+        others: Option<OtherObjects<'_>>,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        let (origin_local, model) = (header.origin - self.evidence.samples.reference, self.evidence.model);
+        let spacing = header.spacing.distance().max(1e-4);
+        let may_be_own = |i: u32, face: &NearFace| {
+            others.is_none_or(|o| !may_be_anothers(face.deviation(), o.deviation(i as usize), &model))
+        };
+        let own = near.iter().filter(|(i, face)| may_be_own(*i, face));
+        let points = own.map(|(i, face)| (LocalPoint::exact(points[*i as usize] + origin_local, spacing), *face));
+        self.absorb_points::<M>(points, header.station, interrupt)
+    }
+
+    fn absorb_points<M: BeamModel>(
+        &mut self,
+        points: impl Iterator<Item = (LocalPoint, NearFace)>,
+        id: i64,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        self.point_index(interrupt)?;
+        let Self { evidence, point_index, .. } = self;
+        let Some(index) = point_index.get() else { return Ok(()) };
+        let model = evidence.model;
+        let number = evidence.station_index(id, StationOrigin::Unknown);
+        let Evidence { samples, stations, .. } = evidence;
+        let station = &mut stations[number];
+        for (i, (point, face)) in points.enumerate() {
+            if i % 64 == 0 {
+                poll(interrupt)?;
+            }
+            index.gather(samples, &point, &face, |block, k, touch| {
                 let len = samples.blocks[block as usize].len;
                 M::add_point(touch, &model, &mut station.block(block, len)[k]);
             });
@@ -88,6 +124,11 @@ impl Collector {
         self.evidence.check_size()
     }
 
+    /// How far in front of a face and behind it a point may be its surface, metres.
+    fn bands(&self) -> (f64, f64) {
+        (self.evidence.model.band_in_front(), self.evidence.model.band_behind())
+    }
+
     /// Adds the returns beside a slim solid that no other object explains: each counts for the face nearest to it.
     pub(super) fn absorb_beside<M: BeamModel>(
         &mut self,
@@ -96,8 +137,9 @@ impl Collector {
         others: OtherObjects<'_>,
         interrupt: Interrupt,
     ) -> Result<()> {
+        self.point_index(interrupt)?;
         let Self { evidence, point_index, .. } = self;
-        let index = made(point_index, &evidence.samples, interrupt)?;
+        let Some(index) = point_index.get() else { return Ok(()) };
         let model = evidence.model;
         let (header, band) = (&view.header, model.band_in_front());
         let around = evidence.bounds.expanded(band);
@@ -112,13 +154,14 @@ impl Collector {
             }
             let Some(met_world) = met_beside(view, slot, crossings, &around) else { continue };
             let spacing = view.step() * view.ranges[slot];
-            let position_local = met_world - samples.reference;
-            let point = LocalPoint { position_local, covariance: Matrix3::zeros(), spacing };
-            index.gather(samples, &point, (band, band), |block, k, touch| {
-                if !may_be_anothers(touch.deviation.abs(), others.distance(slot), &model) {
-                    let len = samples.blocks[block as usize].len;
-                    M::add_point(&towards(touch, &scanner_local), &model, &mut station.block(block, len)[k]);
-                }
+            let point = LocalPoint::exact(met_world - samples.reference, spacing);
+            let Some(face) = index.near_face(samples, &point, (band, band)) else { continue };
+            if may_be_anothers(face.height, others.deviation(slot), &model) {
+                continue;
+            }
+            index.gather(samples, &point, &face, |block, k, touch| {
+                let len = samples.blocks[block as usize].len;
+                M::add_point(&towards(touch, &scanner_local), &model, &mut station.block(block, len)[k]);
             });
             station.step = station.step.max(view.step() as f32);
         }
@@ -140,11 +183,4 @@ fn towards(touch: &PointTouch, scanner_local: &Vec3) -> PointTouch {
     let sight = touch.sample_local - scanner_local;
     let looks_away = sight.dot(&touch.normal) > 0.0;
     PointTouch { deviation: if looks_away { -touch.deviation } else { touch.deviation }, ..*touch }
-}
-
-fn made<'a>(index: &'a mut Option<PointIndex>, samples: &Samples, interrupt: Interrupt) -> Result<&'a PointIndex> {
-    match index {
-        Some(index) => Ok(index),
-        None => Ok(index.insert(PointIndex::of(samples, interrupt)?)),
-    }
 }

@@ -3,9 +3,10 @@
 use super::collector::Collector;
 use super::threads::Threads;
 use crate::geometry::Solid;
-use crate::verify::aim::{Aim, Claims, Unpacked};
+use crate::verify::aim::{Aim, Claims, Unpacked, UnpackedBeams};
 use crate::verify::evidence::Evidence;
 use crate::verify::model::EvidenceModel;
+use crate::verify::sights::Sights;
 use crate::{Interrupt, Result, poll};
 
 /// Evidence about many solids, being collected.
@@ -13,6 +14,7 @@ use crate::{Interrupt, Result, poll};
 pub struct Verifier {
     collectors: Vec<Collector>,
     threads: Threads,
+    sights: Sights,
 }
 
 impl Verifier {
@@ -20,7 +22,8 @@ impl Verifier {
     pub fn new(objects: &[(Solid, EvidenceModel)], threads: Threads, interrupt: Interrupt) -> Result<Self> {
         let collectors =
             threads.map(objects, |(solid, model)| Collector::among_neighbours(solid, *model, interrupt))?;
-        Ok(Self { collectors, threads })
+        let sights = Sights::of(collectors.iter().map(Collector::has_optional).collect());
+        Ok(Self { collectors, threads, sights })
     }
 
     /// Adds what a batch of packed patches tells; all are unpacked at once. Objects know each other here: what a beam
@@ -38,12 +41,18 @@ impl Verifier {
         })?;
         let numbers: Vec<usize> = (0..unpacked.len()).collect();
         let claims = self.threads.map(&numbers, |&i| {
-            let mut claims = Claims::none(unpacked[i].aimed_beams());
+            let mut claims = Claims::none(unpacked[i].claimable());
             for (object, (collector, aims)) in self.collectors.iter().zip(&aims).enumerate() {
                 collector.claim(&unpacked[i], &aims[i], object as u32, &mut claims);
             }
             Ok(claims)
         })?;
+        for (patch, claims) in unpacked.iter().zip(&claims) {
+            poll(interrupt)?;
+            if let UnpackedBeams::FromOne(view) = &patch.beams {
+                self.sights.add(view, claims);
+            }
+        }
         let mut work: Vec<_> = self.collectors.iter_mut().zip(&aims).enumerate().collect();
         self.threads.for_each(&mut work, |(object, (collector, aims))| {
             let mut patches = unpacked.iter().zip(aims.iter()).zip(&claims);
@@ -56,6 +65,11 @@ impl Verifier {
 
     /// The evidence about each solid, in their order.
     pub fn into_evidence(self) -> Vec<Evidence> {
-        self.collectors.into_iter().map(Collector::into_evidence).collect()
+        self.finish().0
+    }
+
+    /// The same, and where all beams ended.
+    pub fn finish(self) -> (Vec<Evidence>, Sights) {
+        (self.collectors.into_iter().map(Collector::into_evidence).collect(), self.sights)
     }
 }

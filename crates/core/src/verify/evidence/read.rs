@@ -3,6 +3,7 @@
 use super::header::EvidenceHeader;
 use super::samples::{BLOCK, SampleBlock, Samples};
 use super::station::{StationEvidence, StationOrigin};
+use super::unseen::Unseen;
 use super::value::{Evidence, MAX_SUMS};
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
@@ -37,9 +38,10 @@ impl Evidence {
         if stations.windows(2).any(|w| w[0].key() >= w[1].key()) {
             return Err(r.bad("its stations are not in order"));
         }
+        let unseen = h.is_unseen.then(|| Unseen::read(&mut r)).transpose()?;
         r.finish()?;
         let (fingerprint, bounds, knows_neighbours) = (h.fingerprint, h.bounds, h.knows_neighbours);
-        Ok(Self { model: h.model, fingerprint, bounds, samples, knows_neighbours, stations })
+        Ok(Self { model: h.model, fingerprint, bounds, samples, knows_neighbours, unseen, stations })
     }
 }
 
@@ -48,6 +50,8 @@ struct RawHeader {
     version: u8,
     two_sided: bool,
     knows_neighbours: bool,
+    /// Why it was not seen follows the stations.
+    is_unseen: bool,
     fingerprint: u32,
     /// Faces, blocks, samples and stations.
     counts: [u32; 4],
@@ -65,7 +69,12 @@ fn read_header(bytes: &[u8]) -> Result<RawHeader> {
     if version == 0 || version > Evidence::VERSION {
         return Err(Error::Version { ty: TY, found: version, known: Evidence::VERSION });
     }
-    let (two_sided, knows_neighbours) = (r.u8()? != 0, r.u8()? != 0);
+    let (two_sided, known) = (r.u8()? != 0, r.u8()?);
+    let (knows_neighbours, is_unseen) = match known {
+        0..=1 => (known == 1, false),
+        2..=3 if version > LAST_FLAT => (known == 3, true),
+        _ => return Err(r.bad(format!("note {known}"))),
+    };
     if version > LAST_FLAT {
         r = sections::header(bytes, TY, NEVER)?;
     }
@@ -78,7 +87,7 @@ fn read_header(bytes: &[u8]) -> Result<RawHeader> {
         return Err(r.bad("a coordinate is not finite"));
     }
     let model = EvidenceModel::read(&mut r)?;
-    Ok(RawHeader { version, two_sided, knows_neighbours, fingerprint, counts, reference, bounds, model })
+    Ok(RawHeader { version, two_sided, knows_neighbours, is_unseen, fingerprint, counts, reference, bounds, model })
 }
 
 /// Newest version without sections.

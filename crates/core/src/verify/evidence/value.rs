@@ -2,6 +2,7 @@
 
 use super::samples::{BLOCK, Samples};
 use super::station::{StationEvidence, StationOrigin};
+use super::unseen::Unseen;
 use crate::Interrupt;
 use crate::error::{Error, Limited, Mismatch, Result};
 use crate::geometry::{Aabb, Solid};
@@ -21,6 +22,8 @@ pub struct Evidence {
     /// Whether beams that other objects explain were left out: all parts came from a
     /// [`Verifier`](crate::verify::Verifier).
     pub(in crate::verify) knows_neighbours: bool,
+    /// Why it stayed unobserved, where somebody looked a second time.
+    pub(in crate::verify) unseen: Option<Unseen>,
     /// Ordered by number, then origin, so that equal evidence has equal bytes.
     pub(in crate::verify) stations: Vec<StationEvidence>,
 }
@@ -35,7 +38,8 @@ impl Evidence {
     ) -> Result<Self> {
         let samples = Samples::on(solid, model.spacing, interrupt)?;
         let fingerprint = solid.fingerprint(interrupt)?;
-        Ok(Self { model, fingerprint, bounds: solid.bounds(), samples, knows_neighbours, stations: Vec::new() })
+        let (bounds, stations) = (solid.bounds(), Vec::new());
+        Ok(Self { model, fingerprint, bounds, samples, knows_neighbours, unseen: None, stations })
     }
 
     /// The parameters.
@@ -81,7 +85,7 @@ impl Evidence {
 
     /// The same samples and parameters; no station yet.
     pub fn without_stations(&self) -> Self {
-        Self { samples: self.samples.clone(), stations: Vec::new(), ..*self }
+        Self { samples: self.samples.clone(), unseen: None, stations: Vec::new(), ..*self }
     }
 
     /// Fails where stations and samples together are more than a value may hold.
@@ -108,6 +112,9 @@ impl Evidence {
         }
         self.samples.join_surfaces(&other.samples);
         self.knows_neighbours &= other.knows_neighbours;
+        if !other.stations.is_empty() {
+            self.unseen = None;
+        }
         for theirs in &other.stations {
             let i = self.station_index(theirs.id, theirs.place);
             self.stations[i].add(theirs, interrupt)?;

@@ -1,11 +1,12 @@
 //! The stored and transmitted form of evidence.
 //!
-//! A container of sections (`num/sections.rs`), version 4, letter `'E'`, notes: two-sided, knows its neighbours. The
+//! A container of sections (`num/sections.rs`), version 4, letter `'E'`, notes: two-sided; 1 where it knows its
+//! neighbours and 2 where it says why it was not seen. The
 //! header's content, little-endian: fingerprint, faces, blocks, samples and stations u32, reference 3×f64, box 6×f64,
 //! model. The body: per face its normal 3×f64 and its smooth surface (varint, at most its own number); blocks as (face
 //! varint, length u8); samples 3×f32; per station its number i64, origin 3×f64 (NaN: none, infinity: many), step f32,
 //! blocks present u32, and per block its number (varint, difference) and per sample the beams (varint) and, unless 0,
-//! five signed varints. Versions 1 to 3 are read: preamble, header and body one after the other, without checksums;
+//! five signed varints; then the seven shares of why it was not seen, f32. Versions 1 to 3 are read: preamble, header and body one after the other, without checksums;
 //! versions 1 and 2 have no surfaces (every face is one) and no steps.
 
 use super::station::StationEvidence;
@@ -32,7 +33,8 @@ impl Evidence {
         let mut out = Vec::new();
         // The sums come on top, by as much as each takes.
         out.grow(Self::HEADER_LEN + 25 * s.normals.len() + 12 * s.len(), interrupt)?;
-        begin(Self::VERSION, b'E', [u8::from(s.two_sided), u8::from(self.knows_neighbours)], &mut out);
+        let known = u8::from(self.knows_neighbours) + 2 * u8::from(self.unseen.is_some());
+        begin(Self::VERSION, b'E', [u8::from(s.two_sided), known], &mut out);
         put_section(HEADER, &mut out, interrupt, |out| {
             out.put_u32(self.fingerprint);
             for n in [s.normals.len(), s.blocks.len(), s.len(), self.stations.len()] {
@@ -61,6 +63,9 @@ impl Evidence {
         s.positions.iter().flatten().for_each(|&c| out.put_f32(c));
         for station in &self.stations {
             write_station(station, out, interrupt)?;
+        }
+        if let Some(unseen) = &self.unseen {
+            unseen.write(out);
         }
         Ok(())
     }

@@ -10,6 +10,7 @@ use super::viewing_geometry::ViewingGeometry;
 use crate::geometry::Vec3;
 use crate::scan::RangeImage;
 use crate::verify::aim::AimedAt;
+use crate::{Interrupt, Result};
 
 /// How beams become sums at the samples of an object, and what a station's sums state. Chosen once a patch by
 /// [`with_model`].
@@ -37,7 +38,8 @@ pub trait BeamModel {
         aimed: &AimedAt<'_>,
         model: &'v EvidenceModel,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
-    ) -> Option<Self::PreparedBeams<'v>>;
+        interrupt: Interrupt,
+    ) -> Result<Option<Self::PreparedBeams<'v>>>;
 
     /// How far beside the patch's cone samples are that its beams tell of, metres.
     fn beside_cone(beams: &Self::PreparedBeams<'_>) -> f64;

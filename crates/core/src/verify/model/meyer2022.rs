@@ -11,6 +11,7 @@ use crate::evidence::{LogCommonality, Mass};
 use crate::geometry::Vec3;
 use crate::scan::RangeImage;
 use crate::verify::aim::AimedAt;
+use crate::{Interrupt, Result};
 
 /// Fixed-point unit of a logarithm, 2⁻⁴⁴: 6e-14, with room for half a million.
 const LOGARITHM: f64 = (1u64 << 44) as f64;
@@ -77,8 +78,9 @@ impl BeamModel for Meyer2022 {
         _: &AimedAt<'_>,
         model: &'v EvidenceModel,
         _: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
-    ) -> Option<RayBeams<'v>> {
-        Some(RayBeams { view, model })
+        _: Interrupt,
+    ) -> Result<Option<RayBeams<'v>>> {
+        Ok(Some(RayBeams { view, model }))
     }
 
     fn beside_cone(beams: &RayBeams<'_>) -> f64 {

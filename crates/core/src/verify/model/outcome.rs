@@ -1,11 +1,12 @@
 //! What each beam of a patch met where it would cross the solid, laid out for the samples around.
 
-use super::ownership::{Ownership, ownership, three_sigma};
+use super::ownership::{HIDDEN_M, Ownership, ownership, ownership_of_part, three_sigma};
 use super::parameters::EvidenceModel;
 use super::surface_sums::DEVIATION;
 use crate::geometry::{BLUNT_EDGE_COS, Vec3};
 use crate::scan::{AngularGrid, RangeImage};
 use crate::verify::aim::{AimedAt, BeamCrossing, Foot, foot};
+use crate::{Interrupt, Result, poll_now_and_then};
 
 /// What one beam met.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,19 +47,21 @@ impl BeamOutcomes {
         aimed: &AimedAt<'_>,
         model: &EvidenceModel,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
-    ) -> Option<Self> {
+        interrupt: Interrupt,
+    ) -> Result<Option<Self>> {
         let classifier =
             Classifier { view, aimed, model, min_cos: model.max_incidence.cos(), noise: three_sigma(model) };
         let mut widest: f64 = 0.0;
         let mut all = Vec::new();
-        for crossing in aimed.crossings {
+        for (i, crossing) in aimed.crossings.iter().enumerate() {
+            poll_now_and_then(i, interrupt)?;
             let Some(placed) = classifier.placed(crossing) else { continue };
-            let Some(outcome) = classifier.of_this_object(crossing, placed.outcome).and_then(&keep) else { continue };
+            let Some(outcome) = classifier.of_this_place(crossing, placed.outcome).and_then(&keep) else { continue };
             let aimed_scanner = view.directions[crossing.slot as usize] * crossing.distance;
             widest = widest.max((placed.place_scanner - aimed_scanner).norm());
             all.push(PlacedOutcome { outcome, ..placed });
         }
-        (!all.is_empty()).then(|| Self::laid_out(&all, view.step(), widest))
+        Ok((!all.is_empty()).then(|| Self::laid_out(&all, view.step(), widest)))
     }
 
     fn laid_out(all: &[PlacedOutcome], step: f64, widest: f64) -> Self {
@@ -98,16 +101,34 @@ struct Classifier<'a> {
 }
 
 impl Classifier<'_> {
-    /// What is left of an outcome where other objects are known.
-    fn of_this_object(&self, crossing: &BeamCrossing, outcome: BeamOutcome) -> Option<BeamOutcome> {
-        let (Some(others), BeamOutcome::Surface { deviation, .. }) = (self.aimed.others, outcome) else {
-            return Some(outcome);
+    /// What is left of an outcome once every other surface drawn near the return is known: other objects' and the
+    /// object's own.
+    fn of_this_place(&self, crossing: &BeamCrossing, outcome: BeamOutcome) -> Option<BeamOutcome> {
+        let BeamOutcome::Surface { deviation, .. } = outcome else { return Some(outcome) };
+        let deviation = f64::from(deviation) / DEVIATION;
+        let slot = crossing.slot as usize;
+        let others = self.aimed.others.map_or(f64::INFINITY, |others| others.deviation(slot));
+        let whose = match ownership(deviation, others, self.noise) {
+            Ownership::MayBeOwn => self.of_nearest_part(slot, deviation),
+            known => known,
         };
-        match ownership(f64::from(deviation) / DEVIATION, others.distance(crossing.slot as usize), self.noise) {
+        match whose {
             Ownership::MayBeOwn => Some(outcome),
-            Ownership::Hides => None,
+            Ownership::Shared | Ownership::Hides => None,
             Ownership::SeenThrough => Some(BeamOutcome::SeenThrough { weight: 1.0 }),
         }
+    }
+
+    /// Whether a return `deviation` metres off belongs to another part of the object.
+    fn of_nearest_part(&self, slot: usize, deviation: f64) -> Ownership {
+        let least = self.noise.max(HIDDEN_M);
+        if deviation.abs() <= least {
+            return Ownership::MayBeOwn;
+        }
+        let direction = &self.view.directions[slot];
+        let met_world = direction * self.view.ranges[slot] + self.view.header.origin;
+        let part = self.aimed.target.distance_to_nearest_part(&met_world, direction, 0.5 * deviation.abs());
+        part.map_or(Ownership::MayBeOwn, |part| ownership_of_part(deviation, part, self.noise))
     }
 
     /// What the beam met, with the place of which it tells; `None` where it tells nothing.
@@ -198,7 +219,8 @@ mod tests {
         }
         let crossings = crossings(&target, &view, f64::INFINITY, NEVER).unwrap();
         let others = other.map(|_| claims.of_others_than(0));
-        BeamOutcomes::of(&view, &AimedAt { target: &target, crossings: &crossings, others }, model, Some)
+        BeamOutcomes::of(&view, &AimedAt { target: &target, crossings: &crossings, others }, model, Some, NEVER)
+            .unwrap()
     }
 
     fn at(x: f64) -> Beam {
@@ -263,9 +285,9 @@ mod tests {
         let (view, target, model) = (view(at(3.0), 0), wall(3.0), EvidenceModel::default());
         let crossings = crossings(&target, &view, f64::INFINITY, NEVER).unwrap();
         let aimed = AimedAt { target: &target, crossings: &crossings, others: None };
-        assert!(BeamOutcomes::of(&view, &aimed, &model, |_| None).is_none());
+        assert!(BeamOutcomes::of(&view, &aimed, &model, |_| None, NEVER).unwrap().is_none());
         let weaker = |_| Some(BeamOutcome::SeenThrough { weight: 0.5 });
-        let found = BeamOutcomes::of(&view, &aimed, &model, weaker).unwrap();
+        let found = BeamOutcomes::of(&view, &aimed, &model, weaker, NEVER).unwrap().unwrap();
         assert_eq!(found.outcomes, [BeamOutcome::SeenThrough { weight: 0.5 }]);
         let slots = found.slots_in([-0.01; 2], [0.01; 2]).flatten().collect::<Vec<_>>();
         assert_eq!(slots, [0]);

@@ -2,12 +2,11 @@
 
 use super::parameters::EvidenceModel;
 
-/// A beam met an object where it is drawn within this, or within 3 σ, metres.
+/// A beam met an object where it is drawn within this, or within 3 σ, metres: what two trades build, and what a survey
+/// can tell apart.
 const AS_DESIGNED_M: f64 = 0.01;
 /// What stands farther in front of a face than this, or than 3 σ, and is rather another object's hides it, metres.
-const HIDDEN_M: f64 = 0.005;
-/// What lies farther behind a face than this, or than 3 σ, where another object is drawn, was seen through it, metres.
-const SEEN_THROUGH_M: f64 = 0.02;
+pub const HIDDEN_M: f64 = 0.005;
 /// It is another object's where it lies so many times nearer to that one's drawn surface.
 const RATHER: f64 = 2.0;
 
@@ -16,6 +15,8 @@ const RATHER: f64 = 2.0;
 pub enum Ownership {
     /// Nothing: it may be the object's own.
     MayBeOwn,
+    /// Both are drawn here, one of them is there: it says nothing of either alone.
+    Shared,
     /// It is the other's, and hides the face.
     Hides,
     /// It is the other's, and the beam passed the face on its way to it.
@@ -27,20 +28,32 @@ pub fn three_sigma(model: &EvidenceModel) -> f64 {
     3.0 * model.sigma_range.hypot(model.sigma_station)
 }
 
-/// Whose a surface is that was met `deviation` metres in front of the face, and `other` metres from another object's
-/// drawn surface; `noise` is [`three_sigma`].
-pub fn ownership(deviation: f64, other: f64, noise: f64) -> Ownership {
-    if RATHER * other < deviation && deviation > noise.max(HIDDEN_M) {
-        return Ownership::Hides;
-    }
-    let behind = RATHER * other < -deviation && -deviation > noise.max(SEEN_THROUGH_M);
-    if behind && other <= noise.max(AS_DESIGNED_M) { Ownership::SeenThrough } else { Ownership::MayBeOwn }
+/// An object stands as designed within this, metres.
+pub fn as_designed(model: &EvidenceModel) -> f64 {
+    three_sigma(model).max(AS_DESIGNED_M)
 }
 
-/// Whether a return beside an object, `own` metres from its drawn surface and `other` from another one's, may be the
-/// other's.
+/// Whose a surface is that was met `deviation` metres in front of the face, and `other` metres in front of another
+/// object's; `noise` is [`three_sigma`].
+pub fn ownership(deviation: f64, other: f64, noise: f64) -> Ownership {
+    let is_shared = (deviation - other).abs() <= noise.max(AS_DESIGNED_M);
+    if is_shared { Ownership::Shared } else { ownership_of_part(deviation, other.abs(), noise) }
+}
+
+/// The same for a surface that is `part` metres from another part of the object itself: nothing is shared.
+pub fn ownership_of_part(deviation: f64, part: f64, noise: f64) -> Ownership {
+    let as_designed = noise.max(AS_DESIGNED_M);
+    if RATHER * part < deviation && deviation > noise.max(HIDDEN_M) {
+        return Ownership::Hides;
+    }
+    let behind = RATHER * part < -deviation && -deviation > as_designed;
+    if behind && part <= as_designed { Ownership::SeenThrough } else { Ownership::MayBeOwn }
+}
+
+/// Whether a return that no beam was aimed with, `own` metres from where an object is drawn and `other` from where
+/// another one is, may be the other's.
 pub fn may_be_anothers(own: f64, other: f64, model: &EvidenceModel) -> bool {
-    other < RATHER * own.max(three_sigma(model)).max(AS_DESIGNED_M)
+    other.abs() < RATHER * own.abs().max(as_designed(model))
 }
 
 #[cfg(test)]
@@ -53,11 +66,15 @@ mod tests {
         for (deviation, other, whose) in [
             (0.03, f64::INFINITY, Ownership::MayBeOwn),
             (0.03, 0.01, Ownership::Hides),
-            (0.03, 0.02, Ownership::MayBeOwn),
-            (0.004, 0.001, Ownership::MayBeOwn),
+            (0.03, -0.01, Ownership::Hides),
+            (0.0301, 0.02, Ownership::MayBeOwn),
+            (0.03, 0.021, Ownership::Shared),
+            (0.004, 0.001, Ownership::Shared),
             (-0.05, 0.005, Ownership::SeenThrough),
             (-0.05, 0.02, Ownership::MayBeOwn),
-            (-0.015, 0.001, Ownership::MayBeOwn),
+            (-0.05, -0.041, Ownership::Shared),
+            (-0.015, 0.001, Ownership::SeenThrough),
+            (-0.009, 0.002, Ownership::MayBeOwn),
         ] {
             assert_eq!(ownership(deviation, other, noise), whose, "{deviation} {other}");
         }

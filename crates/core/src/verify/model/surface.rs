@@ -16,6 +16,7 @@ use super::viewing_geometry::ViewingGeometry;
 use crate::geometry::Vec3;
 use crate::scan::RangeImage;
 use crate::verify::aim::AimedAt;
+use crate::{Interrupt, Result};
 
 /// Beams on one surface scatter by this much beyond their noise at the most: plaster, a slope between them, metres.
 const ROUGHNESS_M: f64 = 0.005;
@@ -55,9 +56,10 @@ impl BeamModel for Surface {
         aimed: &AimedAt<'_>,
         model: &'v EvidenceModel,
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
-    ) -> Option<SurfaceBeams<'v>> {
-        let met = BeamOutcomes::of(view, aimed, model, keep)?;
-        Some(SurfaceBeams { view, met, min_cos: model.max_incidence.cos() })
+        interrupt: Interrupt,
+    ) -> Result<Option<SurfaceBeams<'v>>> {
+        let met = BeamOutcomes::of(view, aimed, model, keep, interrupt)?;
+        Ok(met.map(|met| SurfaceBeams { view, met, min_cos: model.max_incidence.cos() }))
     }
 
     fn beside_cone(beams: &SurfaceBeams<'_>) -> f64 {

@@ -11,8 +11,6 @@ use crate::{Interrupt, Result, poll_now_and_then};
 pub const MAX_ROUGHNESS_M: f64 = 0.015;
 /// USIBD: a class holds when this share of the deviations keeps its bound.
 const WITHIN: f64 = 0.95;
-/// Most of a surface.
-const BULK: f64 = 0.75;
 
 /// One smooth surface of the object, as built.
 #[derive(Debug)]
@@ -25,8 +23,6 @@ pub struct FittedSurface {
     pub independent: f64,
     /// 95 % of the deviations are no larger than this, metres.
     pub quantile: f64,
-    /// Most of the deviations are no larger than this, metres.
-    pub bulk: f64,
     /// Standard deviation of where it is, metres: registration, the model, and the mean of the samples.
     pub sd: f64,
 }
@@ -54,10 +50,10 @@ impl FittedSurface {
             0 => 0.0,
             n => f64::from(*sizes.select_nth_unstable_by(((n as f64 * share) as usize).min(n - 1), f32::total_cmp).1),
         };
-        let (most, bulk, half) = (quantile(WITHIN), quantile(BULK), quantile(0.5));
+        let (most, half) = (quantile(WITHIN), quantile(0.5));
         let random = half.min(MAX_ROUGHNESS_M).powi(2) / independent.max(1.0);
         let sd = (shares.common_variance(model) + random).sqrt();
-        Ok(Self { coherent, inliers: sizes.len() as u64, independent, quantile: most, bulk, sd })
+        Ok(Self { coherent, inliers: sizes.len() as u64, independent, quantile: most, sd })
     }
 
     /// How likely the surface keeps ±`tolerance` metres in the sense of USIBD.
@@ -65,9 +61,9 @@ impl FittedSurface {
         within(self.quantile, self.sd, tolerance)
     }
 
-    /// Whether most of it more likely keeps ±`tolerance` metres than not, by measurements that can tell.
+    /// Whether it more likely keeps ±`tolerance` metres than not, by measurements that can tell.
     pub fn is_known_to_hold(&self, tolerance: f64) -> bool {
-        self.coherent && 1.96 * self.sd <= tolerance && within(self.bulk, self.sd, tolerance) >= 0.5
+        self.coherent && 1.96 * self.sd <= tolerance && self.holds(tolerance) >= 0.5
     }
 }
 

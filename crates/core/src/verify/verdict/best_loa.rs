@@ -3,14 +3,13 @@
 use super::counts::is_well_seen;
 use super::judgement::Judgement;
 use super::rule::{Verdict, VerdictRule};
-use super::thresholds::MIN_WITHIN_USIBD;
 use crate::evidence::Loa;
 use crate::verify::model::{EvidenceModel, Question, measures_deviations};
 use crate::verify::surface::{FittedObject, FittedSurface};
 use crate::{Interrupt, Result};
 
-/// The finest class that would be confirmed, 95 % of every surface within it (USIBD), and that the survey proves at the
-/// confidence.
+/// The finest class that would be confirmed, and that the survey proves at the confidence. Of the class that is asked
+/// the verdict says whether it holds.
 pub fn best_loa(
     fitted: &FittedObject,
     judgement: &Judgement,
@@ -25,11 +24,16 @@ pub fn best_loa(
         // Its masses do not know the tolerance.
         return Ok((judgement.verdict() == Verdict::Confirmed).then_some(model.question.loa));
     }
-    let rule = VerdictRule { min_within: rule.min_within.max(MIN_WITHIN_USIBD), ..*rule };
+    let asked = model.question.loa;
     for loa in Loa::ALL.into_iter().rev() {
         let model = EvidenceModel { question: Question { loa, ..model.question }, ..*model };
-        let proven = || is_proven(fitted, loa.upper(), model.question.confidence);
-        if proven() && Judgement::of(fitted, &model, &rule, interrupt)?.verdict() == Verdict::Confirmed {
+        let holds = if loa == asked {
+            judgement.verdict() == Verdict::Confirmed
+        } else {
+            is_proven(fitted, loa.upper(), model.question.confidence)
+                && Judgement::of(fitted, &model, rule, interrupt)?.verdict() == Verdict::Confirmed
+        };
+        if holds {
             return Ok(Some(loa));
         }
     }

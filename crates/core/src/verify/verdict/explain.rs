@@ -201,7 +201,7 @@ impl Explanation<'_> {
 }
 
 fn bounds(s: &FittedSurface) -> String {
-    format!("95 % within {:.1} mm, 75 % within {:.1} mm, σ {:.1} mm", s.quantile * 1e3, s.bulk * 1e3, s.sd * 1e3)
+    format!("95 % within {:.1} mm, σ {:.1} mm", s.quantile * 1e3, s.sd * 1e3)
 }
 
 fn percent(part: u64, whole: u64) -> String {

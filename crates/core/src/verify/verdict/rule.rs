@@ -61,8 +61,8 @@ mod tests {
             let rule = VerdictRule::default().with_min_confirmed(share);
             (rule.min_within, rule.min_present)
         };
-        assert_eq!(asked(0.3), (0.75, 0.3));
-        assert_eq!(asked(0.6), (0.75, 0.6));
-        assert_eq!(asked(0.95), (0.95, 0.6));
+        assert_eq!(asked(0.3), (0.95, 0.3));
+        assert_eq!(asked(0.6), (0.95, 0.6));
+        assert_eq!(asked(0.98), (0.98, 0.6));
     }
 }

@@ -5,7 +5,8 @@ use super::counts::Counts;
 use super::judgement::Judgement;
 use super::rule::{Verdict, VerdictRule};
 use crate::evidence::Loa;
-use crate::verify::evidence::Evidence;
+use crate::geometry::Vec3;
+use crate::verify::evidence::{Evidence, Unseen};
 use crate::verify::model::Question;
 use crate::verify::surface::{FittedObject, Shift, shift_of};
 use crate::{Interrupt, Result};
@@ -23,10 +24,14 @@ pub struct Summary {
     pub coverage: f64,
     /// Shares of the seen samples; `None` when none was seen. They add up to 1.
     pub shares: Option<Shares>,
-    /// Median deviation of the worst well-seen face along its outward normal, metres, and its σ.
+    /// Median deviation of the face that stands for the object, along its outward normal, metres, and its σ.
     pub deviation: Option<(f64, f64)>,
+    /// That face, its number counted from 1, and its normal.
+    pub deviation_face: Option<(usize, Vec3)>,
     /// Rigid offset.
     pub shift: Option<Shift>,
+    /// Why it is unobserved, where somebody looked a second time.
+    pub unseen: Option<Unseen>,
 }
 
 /// How the seen samples divide.
@@ -61,14 +66,18 @@ impl Evidence {
         let fitted = FittedObject::of(self, &model, interrupt)?;
         let judgement = Judgement::of(&fitted, &model, rule, interrupt)?;
         let (totals, stands) = (&judgement.tally.totals, judgement.stands(rule));
+        let meant = judgement.tally.face_meant().filter(|_| stands);
+        let face = meant.map(|number| (number, &judgement.tally.faces[number]));
         Ok(Summary {
             verdict: judgement.verdict(),
             best_loa: best_loa(&fitted, &judgement, &model, rule, interrupt)?,
             samples: totals.samples,
             coverage: if totals.samples > 0 { totals.seen as f64 / totals.samples as f64 } else { 0.0 },
             shares: Shares::of(totals),
-            deviation: judgement.tally.worst_face().filter(|_| stands).and_then(|f| f.deviation),
+            deviation: face.and_then(|(_, f)| f.deviation),
+            deviation_face: face.map(|(number, f)| (number + 1, f.normal)),
             shift: if stands { shift_of(self, &fitted.faces, interrupt)? } else { None },
+            unseen: self.unseen.filter(|_| judgement.verdict() == Verdict::Unobserved),
         })
     }
 }

@@ -74,27 +74,20 @@ impl VerdictTally {
             && surface.pierced as f64 > MIN_SEEN_THROUGH * decided
     }
 
-    /// The face whose deviation stands for the object: of those that are certainly off the farthest, else the largest.
-    /// Taking the farthest of all would report noise wherever nothing is off. A displaced object is judged by what is.
-    pub fn worst_face(&self) -> Option<&FaceReport> {
+    /// The face whose deviation stands for the object: the largest of those that are certainly off, else of all; so that
+    /// it is the same one in every epoch. A displaced object is judged by what is.
+    pub fn face_meant(&self) -> Option<usize> {
         let (totals, displaced) = (&self.totals, &self.displaced);
         let any = displaced.contains(&true);
-        let judged = |f: &&FaceReport| {
+        let judged = |f: &FaceReport| {
             let d = !any || displaced.get(f.smooth_surface as usize) == Some(&true);
             d && f.deviation.is_some() && f.counts.with_surface >= WELL_SEEN_SAMPLES.min(totals.with_surface)
         };
         let well_seen = |f: &FaceReport| is_well_seen(f.counts.with_surface, totals.with_surface);
-        let certainly_off = |f: &FaceReport| {
-            f.deviation.map_or(0.0, |(d, sd)| if any || d.abs() > CERTAINLY_OFF * sd { d.abs() } else { 0.0 })
-        };
-        let order = |a: &&FaceReport, b: &&FaceReport| {
-            a.coherent
-                .cmp(&b.coherent)
-                .then(well_seen(a).cmp(&well_seen(b)))
-                .then(certainly_off(a).total_cmp(&certainly_off(b)))
-                .then(a.counts.with_surface.cmp(&b.counts.with_surface))
-        };
-        self.faces.iter().filter(judged).max_by(order)
+        let certainly_off = |f: &FaceReport| f.deviation.is_some_and(|(d, sd)| d.abs() > CERTAINLY_OFF * sd);
+        let order = |f: &FaceReport| (f.coherent, well_seen(f), certainly_off(f), f.counts.samples);
+        let numbered = self.faces.iter().enumerate().filter(|(_, f)| judged(f));
+        numbered.max_by(|(i, a), (j, b)| order(a).cmp(&order(b)).then(j.cmp(i))).map(|(i, _)| i)
     }
 }
 

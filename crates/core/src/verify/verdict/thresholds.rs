@@ -19,11 +19,9 @@ pub const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
 pub const WELL_SEEN_SHARE: f64 = 0.03;
 /// It must have at least as many.
 pub const WELL_SEEN_SAMPLES: u64 = 10;
-/// Least share of a surface that must keep the tolerance before it counts as displaced, unless more is asked: a ceiling
-/// of which a corner sags is still where it was drawn. [`Summary::best_loa`](super::Summary::best_loa) asks for 95 %.
-pub const MIN_WITHIN: f64 = 0.75;
-/// Share of every surface that must keep a class before an object has it (USIBD).
-pub const MIN_WITHIN_USIBD: f64 = 0.95;
+/// Share of every well-seen surface that must keep the tolerance (USIBD, Level of Accuracy Specification: 95 % of the
+/// deviations), for a class and for any other tolerance.
+pub const MIN_WITHIN: f64 = 0.95;
 /// Least share of the decided samples that must show the object in place, however strict the rule is about where its
 /// surfaces are: openings and furniture take the rest.
 pub const MIN_PRESENT: f64 = 0.6;

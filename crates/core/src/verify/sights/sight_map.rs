@@ -1,0 +1,128 @@
+//! Where the beams of one station ended, coarsely.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::geometry::Vec3;
+
+/// Height of a row of cells, and width of a cell, radians: 10 cm at 10 m.
+const CELL: f64 = 0.01;
+
+/// No object.
+pub const NOBODY: u32 = u32::MAX;
+
+/// One beam a cell, the one nearest to its middle, so that the order in which beams come does not matter.
+#[derive(Debug)]
+pub struct SightMap {
+    /// Where its beams start, world metres.
+    pub origin_world: Vec3,
+    cells: Vec<Option<Sight>>,
+    /// First cell of each row, and behind the last.
+    rows: Vec<u32>,
+}
+
+/// Where a beam ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sight {
+    /// From where beams start, metres; infinite in a direction from which nothing returned.
+    pub met_scanner: [f32; 3],
+    /// The object near whose drawn surface that is.
+    pub owner: u32,
+    /// Squared distance from the cell's middle, in cells.
+    off: f32,
+}
+
+impl Sight {
+    /// Where the beam met something, scanner metres.
+    pub fn met(&self) -> Option<Vec3> {
+        self.met_scanner[0].is_finite().then(|| Vec3::from(self.met_scanner.map(f64::from)))
+    }
+}
+
+impl SightMap {
+    /// Of a station that looked nowhere yet.
+    pub fn new(origin_world: Vec3) -> Self {
+        let count = (PI / CELL).ceil() as usize;
+        let mut rows = vec![0];
+        for row in 0..count {
+            let elevation = (row as f64 + 0.5) * CELL - 0.5 * PI;
+            rows.push(rows[row] + (TAU * elevation.cos().max(0.0) / CELL).ceil().max(4.0) as u32);
+        }
+        Self { origin_world, cells: vec![None; rows[count] as usize], rows }
+    }
+
+    /// Of how many neighbouring beams `step` radians apart one suffices.
+    pub fn stride(step: f64) -> usize {
+        ((0.4 * CELL / step).powi(2) as usize).max(1)
+    }
+
+    /// Remembers a beam: its unit direction, its range (metres, infinite without return), the object that claims it.
+    pub fn add(&mut self, direction: &Vec3, range: f64, owner: u32) {
+        let (cell, off) = self.place(direction);
+        let met = if range.is_finite() { direction * range } else { Vec3::repeat(f64::INFINITY) };
+        let sight = Sight { met_scanner: met.map(|c| c as f32).into(), owner, off };
+        let order = |s: &Sight| (s.off.to_bits(), s.met_scanner.map(f32::to_bits), s.owner);
+        if self.cells[cell].is_none_or(|known| order(&sight) < order(&known)) {
+            self.cells[cell] = Some(sight);
+        }
+    }
+
+    /// The beam sent nearest to a direction, if one was sent near it.
+    pub fn towards(&self, direction: &Vec3) -> Option<Sight> {
+        let here = |d: &Vec3| self.cells[self.place(d).0];
+        let across = Vec3::z().cross(direction).try_normalize(1e-6).unwrap_or_else(Vec3::x);
+        let up = direction.cross(&across);
+        let beside = [across, -across, up, -up].map(|side| (direction + side * CELL).normalize());
+        here(direction).or_else(|| beside.iter().find_map(here))
+    }
+
+    /// The cell of a direction, and its squared distance from the cell's middle in cells.
+    fn place(&self, direction: &Vec3) -> (usize, f32) {
+        let row = (direction.z.clamp(-1.0, 1.0).asin() + 0.5 * PI) / CELL;
+        let row_number = (row as usize).min(self.rows.len() - 2);
+        let (start, end) = (self.rows[row_number], self.rows[row_number + 1]);
+        let columns = f64::from(end - start);
+        let column = (direction.y.atan2(direction.x) + PI) / TAU * columns;
+        let column_number = (column as u32).min(end - start - 1);
+        let off = (row - row_number as f64 - 0.5).powi(2) + (column - f64::from(column_number) - 0.5).powi(2);
+        ((start + column_number) as usize, off as f32)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::seq::SliceRandom;
+    use rand::{Rng, SeedableRng};
+
+    /// Whatever the order of the beams, a direction finds one that was sent near it.
+    #[test]
+    fn a_direction_finds_a_beam_near_it() {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
+        let mut beams: Vec<(Vec3, f64, u32)> = Vec::new();
+        while beams.len() < 400_000 {
+            let d = Vec3::from([0; 3].map(|_| rng.random_range(-1.0..1.0)));
+            if (0.1..1.0).contains(&d.norm()) && d.z < 0.9 * d.norm() {
+                beams.push((d.normalize(), rng.random_range(1.0..9.0), beams.len() as u32));
+            }
+        }
+        let map = |beams: &[(Vec3, f64, u32)]| {
+            let mut map = SightMap::new(Vec3::zeros());
+            beams.iter().for_each(|(d, r, o)| map.add(d, *r, *o));
+            map
+        };
+        let first = map(&beams);
+        let sent = beams.clone();
+        beams.shuffle(&mut rng);
+        assert_eq!(first.cells, map(&beams).cells);
+        for (d, ..) in sent.iter().take(20_000) {
+            let found = first.towards(d).unwrap();
+            let (direction, range, _) = sent[found.owner as usize];
+            assert!(direction.dot(d) > (2.0 * CELL).cos(), "{d} {direction}");
+            assert!((found.met().unwrap() - direction * range).norm() < 1e-5);
+        }
+        assert_eq!(first.towards(&Vec3::z()), None);
+        let mut nothing = SightMap::new(Vec3::zeros());
+        nothing.add(&Vec3::x(), f64::INFINITY, NOBODY);
+        assert_eq!(nothing.towards(&Vec3::x()).unwrap().met(), None);
+    }
+}
