@@ -698,7 +698,8 @@ CREATE OR REPLACE FUNCTION ab_rollup(e1 ab_evidence, e2 ab_evidence) RETURNS ab_
     AS 'MODULE_PATHNAME', 'ab_evidence_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 1000000;
 CREATE TYPE ab_summary_row AS (
     verdict text, best_loa ab_loa, samples bigint, coverage float8, confirmed float8, refuted float8, open float8,
-    conflict float8, deviation float8, deviation_sd float8, shift float8[], shift_sd float8[]);
+    conflict float8, deviation float8, deviation_sd float8, shift float8[], shift_sd float8[],
+    deviation_normal float8[], deviation_face integer, reason text, reason_shares float8[], hidden_by text);
 COMMENT ON TYPE ab_summary_row IS 'A verdict with the numbers that led to it';
 COMMENT ON COLUMN ab_summary_row.verdict IS
     'confirmed, deviating, absent, unobserved or conflicting, at the level of accuracy that was asked';
@@ -716,20 +717,32 @@ COMMENT ON COLUMN ab_summary_row.open IS
 COMMENT ON COLUMN ab_summary_row.conflict IS
     'Mean conflict between stations over the seen samples, 0 to 1; NULL where none was seen';
 COMMENT ON COLUMN ab_summary_row.deviation IS
-    'Median deviation of the worst well-seen face along its outward normal, metres, + in front of it (outside); NULL '
-    'where no face is';
+    'Median deviation of the face meant along its outward normal, metres, + in front of it (outside): of the largest '
+    'face that is certainly off, else of the largest; NULL where no face is seen';
 COMMENT ON COLUMN ab_summary_row.deviation_sd IS 'Standard deviation of deviation, metres';
 COMMENT ON COLUMN ab_summary_row.shift IS
     'Rigid offset of the built object from the drawn one: three elements along the world''s x, y, z, metres, + along '
     'the axis; an element is NULL where the seen faces do not determine that axis to 6 degrees; NULL where none is';
 COMMENT ON COLUMN ab_summary_row.shift_sd IS 'Standard deviation of each element of shift, metres; NULL where that is';
+COMMENT ON COLUMN ab_summary_row.deviation_normal IS
+    'Outward unit normal of the face that deviation is of, along the axes of the world; NULL where that is';
+COMMENT ON COLUMN ab_summary_row.deviation_face IS
+    'Number of that face, in the order of ab_faces, from 1; the same in every epoch in which it is well seen';
+COMMENT ON COLUMN ab_summary_row.reason IS
+    'Why it is unobserved, by the largest share: hidden_by_object, hidden_by_other, too_few, too_steep, not_looked_at, '
+    'no_return or shared_face; NULL for other verdicts, and where only ab_evidence_agg looked';
+COMMENT ON COLUMN ab_summary_row.reason_shares IS
+    'Share of the samples for each reason: hidden by another drawn object, hidden by what nobody drew, too few beams, '
+    'beams too steep, not looked at, nothing returned, on a face that another object shares; NULL where reason is';
+COMMENT ON COLUMN ab_summary_row.hidden_by IS
+    'Always NULL: evidence does not know the names of others; see ab_verify_table';
 CREATE FUNCTION ab_summary(
     evidence ab_evidence, loa ab_loa DEFAULT NULL, confidence float8 DEFAULT NULL, min_confirmed float8 DEFAULT NULL,
     min_coverage float8 DEFAULT NULL, max_conflict float8 DEFAULT NULL) RETURNS ab_summary_row
     AS 'MODULE_PATHNAME', 'ab_evidence_summary' LANGUAGE c STABLE PARALLEL SAFE COST 5000000;
 COMMENT ON FUNCTION ab_summary(ab_evidence, ab_loa, float8, float8, float8, float8) IS
     'Verdict with the numbers that led to it: coverage is seen/all samples; confirmed, refuted and open are shares '
-    'of the seen ones; deviation is the median of the worst well-seen face along its outward normal, metres; shift '
+    'of the seen ones; deviation is the median of the face meant along its outward normal, metres; shift '
     'is the rigid offset along the directions that the seen faces determine';
 CREATE FUNCTION ab_verdict(
     evidence ab_evidence, loa ab_loa DEFAULT NULL, confidence float8 DEFAULT NULL, min_confirmed float8 DEFAULT NULL,
@@ -813,7 +826,8 @@ COMMENT ON AGGREGATE ab_evidence_agg(ab_solid, ab_scan, ab_evidence_model) IS
 CREATE TYPE ab_verdict_row AS (
     id bigint, evidence ab_evidence, verdict text, best_loa ab_loa, samples bigint, coverage float8, confirmed float8,
     refuted float8, open float8, conflict float8, deviation float8, deviation_sd float8, shift float8[],
-    shift_sd float8[]);
+    shift_sd float8[], deviation_normal float8[], deviation_face integer, reason text, reason_shares float8[],
+    hidden_by text, drawn_twice text);
 COMMENT ON TYPE ab_verdict_row IS
     'An object that was verified: its evidence, its verdict and the numbers that led to it';
 COMMENT ON COLUMN ab_verdict_row.id IS 'The object''s id, from the query of objects';
@@ -836,13 +850,28 @@ COMMENT ON COLUMN ab_verdict_row.open IS
 COMMENT ON COLUMN ab_verdict_row.conflict IS
     'Mean conflict between stations over the seen samples, 0 to 1; NULL where none was seen';
 COMMENT ON COLUMN ab_verdict_row.deviation IS
-    'Median deviation of the worst well-seen face along its outward normal, metres, + in front of it (outside); NULL '
-    'where no face is';
+    'Median deviation of the face meant along its outward normal, metres, + in front of it (outside): of the largest '
+    'face that is certainly off, else of the largest; NULL where no face is seen';
 COMMENT ON COLUMN ab_verdict_row.deviation_sd IS 'Standard deviation of deviation, metres';
 COMMENT ON COLUMN ab_verdict_row.shift IS
     'Rigid offset of the built object from the drawn one: three elements along the world''s x, y, z, metres, + along '
     'the axis; an element is NULL where the seen faces do not determine that axis to 6 degrees; NULL where none is';
 COMMENT ON COLUMN ab_verdict_row.shift_sd IS 'Standard deviation of each element of shift, metres; NULL where that is';
+COMMENT ON COLUMN ab_verdict_row.deviation_normal IS
+    'Outward unit normal of the face that deviation is of, along the axes of the world; NULL where that is';
+COMMENT ON COLUMN ab_verdict_row.deviation_face IS
+    'Number of that face, in the order of ab_faces, from 1; the same in every epoch in which it is well seen';
+COMMENT ON COLUMN ab_verdict_row.reason IS
+    'Why it is unobserved, by the largest share: hidden_by_object, hidden_by_other, too_few, too_steep, not_looked_at, '
+    'no_return or shared_face; NULL for other verdicts, and where only ab_evidence_agg looked';
+COMMENT ON COLUMN ab_verdict_row.reason_shares IS
+    'Share of the samples for each reason: hidden by another drawn object, hidden by what nobody drew, too few beams, '
+    'beams too steep, not looked at, nothing returned, on a face that another object shares; NULL where reason is';
+COMMENT ON COLUMN ab_verdict_row.hidden_by IS
+    'Id of the object that hides most of what drawn objects hide of an unobserved one; NULL where none does';
+COMMENT ON COLUMN ab_verdict_row.drawn_twice IS
+    'Id of another object that is drawn at the same place, 95 % of the surface of each within 10 mm of the other: the '
+    'same body in two models, judged as one; NULL where none is';
 CREATE FUNCTION ab_verify_table(
     objects text, scans text, model ab_evidence_model DEFAULT NULL, keep_evidence boolean DEFAULT true,
     min_confirmed float8 DEFAULT NULL, min_coverage float8 DEFAULT NULL,

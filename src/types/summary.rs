@@ -72,10 +72,17 @@ fn shift_fields(shift: Option<&Shift>) -> [RowField; 2] {
     [along(&|i| t.vector[i]), along(&|i| t.sd(i))]
 }
 
-/// The columns of `ab_summary`.
-pub fn row(s: &Summary) -> Vec<RowField> {
+/// The columns of `ab_summary`; `hidden_by`: by which object, where that is known.
+pub fn row(s: &Summary, hidden_by: RowField) -> Vec<RowField> {
     let mut fields = summary_fields(s);
     fields.extend(shift_fields(s.shift.as_ref()));
+    fields.extend([
+        RowField::or_null(s.deviation_face, |(_, normal)| RowField::Vector(normal.into())),
+        RowField::or_null(s.deviation_face, |(number, _)| RowField::I32(number as i32)),
+        RowField::or_null(s.unseen, |u| RowField::Text(u.main().name().into())),
+        RowField::or_null(s.unseen, |u| RowField::Array(u.shares().into(), vec![7])),
+        hidden_by,
+    ]);
     fields
 }
 
@@ -87,7 +94,7 @@ sql_functions! {
         min_confirmed: Option<f64>, min_coverage: Option<f64>, max_conflict: Option<f64>,
     ) {
         let thresholds = [min_confirmed, min_coverage, max_conflict];
-        Ok(SqlValue::Row(row(&summary(&evidence, loa, confidence, thresholds)?)))
+        Ok(SqlValue::Row(row(&summary(&evidence, loa, confidence, thresholds)?, RowField::Null)))
     }
 
     fn ab_verdict(

@@ -1,8 +1,12 @@
-//! `ab_verify_table(objects, scans, …)`: every patch unpacked once for all objects.
+//! `ab_verify_table(objects, scans, …)`: every patch unpacked once for all objects of a batch.
+
+use std::sync::Mutex;
 
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::verify::{Evidence, EvidenceModel, Samples, Summary, VerdictRule, Verifier};
-use asbuilt_core::{Budget, Error, Result};
+use asbuilt_core::verify::{
+    Evidence, EvidenceModel, Sights, Summary, SurveyObjects, Verdict, VerdictRule, Verifier,
+};
+use asbuilt_core::{Budget, Error, Interrupt, Result};
 
 use super::evidence_model::{ModelArg, model_or_default, parse};
 use super::summary::{row, rule};
@@ -56,7 +60,13 @@ fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) ->
     Ok(out)
 }
 
-fn absorb_scans(call: &Args, text: &str, verifier: &mut Verifier, crew: &WorkerPool) -> Result<()> {
+fn absorb_scans(
+    call: &Args,
+    text: &str,
+    verifier: &mut Verifier,
+    mut sights: Option<&mut Sights>,
+    crew: &WorkerPool,
+) -> Result<()> {
     let query = Query {
         what: "the query of scans",
         text,
@@ -66,18 +76,73 @@ fn absorb_scans(call: &Args, text: &str, verifier: &mut Verifier, crew: &WorkerP
     };
     for_each_batch(call, query, BATCH, |rows| {
         let patches: Vec<&[u8]> = rows.iter().filter_map(|r| r[0].bytes()).collect();
-        crew.run(|interrupt| verifier.absorb(&patches, interrupt))
+        crew.run(|interrupt| verifier.absorb(&patches, sights.as_deref_mut(), interrupt))
     })
 }
 
-fn verdict(
-    e: &Evidence,
-    rule: &VerdictRule,
+/// An object's verdict, and its evidence where it is kept.
+struct Judged {
+    summary: Summary,
+    /// Number of the object that hides it.
+    hidden_by: Option<u32>,
+    bytes: Option<Vec<u8>>,
+}
+
+/// What a batch is judged by.
+struct Judge<'a> {
+    objects: &'a SurveyObjects,
+    sights: &'a Sights,
+    rule: VerdictRule,
     keep: bool,
-    interrupt: asbuilt_core::Interrupt,
-) -> Result<(Summary, Option<Vec<u8>>)> {
-    let bytes = keep.then(|| e.to_bytes(interrupt)).transpose()?;
-    Ok((e.summary(&e.model().question, rule, interrupt)?, bytes))
+}
+
+impl Judge<'_> {
+    fn judge(&self, object: u32, mut evidence: Evidence, interrupt: Interrupt) -> Result<Judged> {
+        let question = evidence.model().question;
+        let mut summary = evidence.summary(&question, &self.rule, interrupt)?;
+        let mut hidden_by = None;
+        if summary.verdict == Verdict::Unobserved {
+            hidden_by = self.objects.second_look(object, &mut evidence, self.sights, interrupt)?;
+            summary.unseen = evidence.unseen();
+        }
+        let bytes = self.keep.then(|| evidence.to_bytes(interrupt)).transpose()?;
+        Ok(Judged { summary, hidden_by, bytes })
+    }
+}
+
+/// For each object its verdict, batch by batch: the scans are read once for each.
+fn judged(
+    call: &Args,
+    scans: &str,
+    objects: &SurveyObjects,
+    (rule, keep): (VerdictRule, bool),
+    crew: &WorkerPool,
+) -> Result<Vec<Option<Judged>>> {
+    let mut out: Vec<Option<Judged>> = (0..objects.len()).map(|_| None).collect();
+    let mut sights = Sights::default();
+    for (round, batch) in objects.batches().iter().enumerate() {
+        let mut verifier = crew.run(|interrupt| Verifier::new(objects, batch, crew.threads(), interrupt))?;
+        absorb_scans(call, scans, &mut verifier, (round == 0).then_some(&mut sights), crew)?;
+        let judge = Judge { objects, sights: &sights, rule, keep };
+        let mut evidence = verifier.into_evidence();
+        loop {
+            let due: Vec<(u32, Mutex<Option<Evidence>>)> =
+                evidence.by_ref().take(VERDICTS).map(|(i, e)| (i, Mutex::new(Some(e)))).collect();
+            if due.is_empty() {
+                break;
+            }
+            let verdicts = crew.run(|interrupt| {
+                crew.threads().map(&due, |(object, evidence)| {
+                    let evidence = evidence.lock().ok().and_then(|mut e| e.take());
+                    evidence.map(|e| judge.judge(*object, e, interrupt)).transpose()
+                })
+            })?;
+            for ((object, _), verdict) in due.iter().zip(verdicts) {
+                out[*object as usize] = verdict;
+            }
+        }
+    }
+    Ok(out)
 }
 
 sql_functions! {
@@ -94,28 +159,30 @@ sql_functions! {
         let rule = rule([min_confirmed, min_coverage, max_conflict])?;
         let keep = keep_evidence.unwrap_or(true);
         let crew = WorkerPool::gather();
-        let objects = self::objects(call, &objects_query, &model, &crew)?;
-        let mut verifier = crew.run(|interrupt| Verifier::new(&objects.solids, crew.threads(), interrupt))?;
-        absorb_scans(call, &scans_query, &mut verifier, &crew)?;
-        let mut evidence = verifier.into_evidence();
-        for rows in objects.rows.chunks(VERDICTS) {
-            let due: Vec<Evidence> = evidence.drain(..rows.iter().filter(|r| r.1).count()).collect();
-            let mut verdicts = crew.run(|interrupt| {
-                crew.threads().map(&due, |e| verdict(e, &rule, keep, interrupt))
-            })?.into_iter();
-            for (id, has_solid) in rows {
-                let id = if let ResultCell::Integer(id) = id { RowField::I64(*id) } else { RowField::Null };
-                let mut fields = vec![id];
-                match has_solid.then(|| verdicts.next()).flatten() {
-                    Some((summary, bytes)) => {
-                        fields.push(RowField::or_null(bytes, RowField::Bytes));
-                        fields.extend(row(&summary));
-                    }
-                    None => fields.resize(out.width(), RowField::Null),
+        let Objects { rows, solids } = self::objects(call, &objects_query, &model, &crew)?;
+        let objects = crew.run(|interrupt| SurveyObjects::new(solids, crew.threads(), interrupt))?;
+        let ids: Vec<String> = rows.iter().filter(|r| r.1).map(|r| id_text(&r.0)).collect();
+        let name = |object: Option<u32>| {
+            RowField::or_null(object.and_then(|i| ids.get(i as usize)), |id| RowField::Text(id.clone()))
+        };
+        let mut verdicts = judged(call, &scans_query, &objects, (rule, keep), &crew)?.into_iter().enumerate();
+        for (id, has_solid) in &rows {
+            let id = if let ResultCell::Integer(id) = id { RowField::I64(*id) } else { RowField::Null };
+            let mut fields = vec![id];
+            match has_solid.then(|| verdicts.next()).flatten() {
+                Some((object, Some(Judged { summary, hidden_by, bytes }))) => {
+                    fields.push(RowField::or_null(bytes, RowField::Bytes));
+                    fields.extend(row(&summary, name(hidden_by)));
+                    fields.push(name(objects.drawn_twice(object as u32)));
                 }
-                out.push(&fields);
+                _ => fields.resize(out.width(), RowField::Null),
             }
+            out.push(&fields);
         }
         Ok(SqlValue::Null)
     }
+}
+
+fn id_text(id: &ResultCell) -> String {
+    if let ResultCell::Integer(id) = id { id.to_string() } else { String::new() }
 }

@@ -4,7 +4,7 @@ use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec, Spacing};
 use asbuilt_core::verify::{
-    Collector, Evidence, EvidenceModel, IntensityNoise, Threads, Verdict, VerdictRule, Verifier,
+    Collector, Evidence, EvidenceModel, IntensityNoise, Threads, Verdict, VerdictRule, SurveyObjects,
 };
 
 const STEP: f64 = 0.004;
@@ -36,9 +36,8 @@ fn alone(solid: &Solid, model: EvidenceModel, patches: &[Vec<u8>]) -> Evidence {
 }
 
 fn together(objects: &[(Solid, EvidenceModel)], patches: &[Vec<u8>], threads: Threads, batch: usize) -> Vec<Evidence> {
-    let mut v = Verifier::new(objects, threads, NEVER).unwrap();
-    patches.chunks(batch).for_each(|b| v.absorb(b, NEVER).unwrap());
-    v.into_evidence()
+    let objects = SurveyObjects::new(objects.to_vec(), threads, NEVER).unwrap();
+    objects.evidence(patches, batch, threads, NEVER).unwrap()
 }
 
 #[test]

@@ -6,7 +6,7 @@ use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::verify::{
     Collector, Evidence, EvidenceModel, ModelKind, Question, SampleBelief, Summary, Threads, Verdict, VerdictRule,
-    Verifier,
+    SurveyObjects,
 };
 use asbuilt_simulate::{Change, Scanner, Scene};
 use rayon::prelude::*;
@@ -78,11 +78,8 @@ impl Setup {
         let evidence = if alone {
             solids.par_iter().map(|(solid, model)| self.evidence_alone(solid, *model)).collect::<Result<Vec<_>>>()?
         } else {
-            let mut verifier = Verifier::new(&solids, Threads::Pool, NEVER)?;
-            for batch in self.patches.chunks(32) {
-                verifier.absorb(batch, NEVER)?;
-            }
-            verifier.into_evidence()
+            let objects = SurveyObjects::new(solids, Threads::Pool, NEVER)?;
+            objects.evidence(&self.patches, 32, Threads::Pool, NEVER)?
         };
         let cases: Vec<_> = objects.iter().zip(&self.built.fates).zip(&evidence).collect();
         cases.into_par_iter().map(|((object, fate), evidence)| self.outcome(object, fate, evidence)).collect()

@@ -58,25 +58,21 @@ pub struct VerifyArgs {
 /// less well.
 const VERDICTS: &str = "
 SELECT o.name, o.global_id, o.ifc_class, o.storey, coalesce($2::text, o.loa::text), s.verdict, s.best_loa::text, s.samples,
-       s.coverage, s.confirmed, s.refuted, s.open, s.conflict, s.deviation, s.deviation_sd, s.shift, s.shift_sd
+       s.coverage, s.confirmed, s.refuted, s.open, s.conflict, s.deviation, s.deviation_sd, s.shift, s.shift_sd,
+       s.deviation_normal, s.deviation_face, s.reason, s.reason_shares, coalesce(h.name, s.hidden_by), coalesce(t.name, s.drawn_twice)
 FROM   @building_object o
 JOIN   @ext.ab_verify_table(
-           pg_catalog.format($9::text, $2::text, $3::text, $4::float8, $5::float8, $8::float8, $6::float8, $7::float8, $10::int8[]),
+           pg_catalog.format($9::text, $2::text, $3::text, $4::float8, $5::float8, $8::float8, $6::float8, $7::float8),
            $1::text, NULL::@ext.ab_evidence_model, false, NULL::float8, NULL::float8, NULL::float8) s ON s.id = o.id
+LEFT   JOIN @building_object h ON h.id = s.hidden_by::int8
+LEFT   JOIN @building_object t ON t.id = s.drawn_twice::int8
 ORDER  BY o.id";
 
 /// What is verified, as a template for PostgreSQL's `format`.
 const OBJECTS: &str = "
 SELECT id, solid, @ext.ab_evidence_model(loa => coalesce(%L::@ext.ab_loa, loa), model => %L::text, spacing => %L::float8,
        sigma_range => %L::float8, sigma_angle => %L::float8, sigma_station => %L::float8, confidence => %L::float8)
-FROM   @building_object WHERE id = ANY(%L::int8[])";
-
-/// Objects that are verified together: neighbours know each other, and their evidence is in memory together.
-const BATCHES: &str = "
-SELECT pg_catalog.array_agg(id ORDER BY id) FROM (
-  SELECT id, pg_catalog.floor(pg_catalog.sum(least(coalesce(@ext.ab_area(solid), 0::float8) / ($1::float8 * $1::float8), 5e6::float8))
-                              OVER (ORDER BY id) / 20e6::float8) AS batch FROM @building_object) x
-GROUP BY batch ORDER BY batch";
+FROM   @building_object";
 
 pub fn run(args: &VerifyArgs) -> Result<()> {
     let mut db = args.database.connect()?;
@@ -89,9 +85,9 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     table.print(args.format)
 }
 
-/// A row of [`VERDICTS`] per object, batch by batch; all batches see the same data.
+/// A row of [`VERDICTS`] per object.
 fn judged(args: &VerifyArgs, db: &mut Database) -> Result<Vec<Row>> {
-    let (verdicts, batches) = (db.sql(VERDICTS), db.sql(BATCHES));
+    let verdicts = db.sql(VERDICTS);
     let objects = db.names.for_format().sql(OBJECTS);
     let scans = format!("{} WHERE epoch = '{}'::int4", db.sql("SELECT patch FROM @scan"), args.epoch);
     let loa = args.loa.map(Loa::name);
@@ -102,28 +98,12 @@ fn judged(args: &VerifyArgs, db: &mut Database) -> Result<Vec<Row>> {
     let bar = spinner("verifying");
     let one_view = db.client.build_transaction().read_only(true).isolation_level(IsolationLevel::RepeatableRead);
     let mut client = one_view.start().map_err(explain)?;
-    let batches = client.query(&batches, &[&args.spacing]).map_err(explain)?;
-    if batches.len() > 1 {
-        bar.suspend(|| warn_of_batches(batches.len()));
-    }
-    let mut rows = Vec::new();
-    for batch in batches {
-        let ids: Vec<i64> = batch.get(0);
-        let VerifyArgs { model, spacing, confidence, .. } = args;
-        let (range, station, angle) = (&sigma_range, &sigma_station, &sigma_angle);
-        let parameters: [&(dyn ToSql + Sync); 10] =
-            [&scans, &loa, model, spacing, range, station, confidence, angle, &objects, &ids];
-        rows.extend(client.query(&verdicts, &parameters).map_err(explain)?);
-    }
+    let VerifyArgs { model, spacing, confidence, .. } = args;
+    let parameters: [&(dyn ToSql + Sync); 9] =
+        [&scans, &loa, model, spacing, &sigma_range, &sigma_station, confidence, &sigma_angle, &objects];
+    let rows = client.query(&verdicts, &parameters).map_err(explain)?;
     bar.finish_and_clear();
     Ok(rows)
-}
-
-fn warn_of_batches(count: usize) {
-    say!(
-        "asbuilt: {count} batches of some 20 million samples; objects of different batches do not know each other as \
-        neighbours (a wider --spacing makes fewer)"
-    );
 }
 
 /// Whether what identifies an object is printed, too.

@@ -25,7 +25,7 @@ mod sights;
 mod surface;
 mod verdict;
 
-pub use collect::{Collector, Threads, Verifier};
+pub use collect::{Batch, Collector, SurveyObjects, Threads, Verifier};
 pub use evidence::{Evidence, EvidenceHeader, Samples, StationEvidence, StationOrigin, Unseen, Why};
 pub use model::{EvidenceModel, IntensityNoise, ModelKind, Question};
 pub use sights::Sights;

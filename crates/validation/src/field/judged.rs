@@ -4,7 +4,7 @@ use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::verify::{Evidence, EvidenceModel, Question, Threads, Verdict, VerdictRule, Verifier};
+use asbuilt_core::verify::{Evidence, EvidenceModel, Question, Threads, Verdict, VerdictRule, SurveyObjects};
 use asbuilt_fieldscan::Receiver;
 use rayon::prelude::*;
 
@@ -44,11 +44,8 @@ fn evidence(scene: &Scene, delivery: Delivery) -> Result<Vec<Evidence>> {
     let objects = &scene.layout.objects;
     let solids: Vec<(Solid, EvidenceModel)> =
         objects.iter().enumerate().map(|(i, o)| (o.solid.clone(), model(scene, i))).collect();
-    let mut verifier = Verifier::new(&solids, Threads::Pool, NEVER)?;
-    for batch in patches.chunks(32) {
-        verifier.absorb(batch, NEVER)?;
-    }
-    Ok(verifier.into_evidence())
+    let objects = SurveyObjects::new(solids, Threads::Pool, NEVER)?;
+    Ok(objects.evidence(&patches, 32, Threads::Pool, NEVER)?)
 }
 
 /// What a surveyor tells: the scanner's data sheet (a white surface at 10 m), the registration's report. Classes

@@ -9,7 +9,7 @@ use anyhow::{Context, Result};
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::verify::{EvidenceModel, Question, Summary, Threads, Verdict, VerdictRule, Verifier};
+use asbuilt_core::verify::{EvidenceModel, Question, Summary, Threads, Verdict, VerdictRule, SurveyObjects};
 use asbuilt_read::ifc::read_within;
 use asbuilt_read::packing::pack;
 use asbuilt_read::{ReadOptions, read_scans};
@@ -145,17 +145,16 @@ impl Room {
             ..EvidenceModel::default()
         };
         let objects: Vec<(Solid, EvidenceModel)> = solids.iter().map(|s| (s.clone(), model)).collect();
-        let mut verifier = Verifier::new(&objects, Threads::Pool, NEVER)?;
-        for batch in stations.iter().flat_map(|s| self.stations[*s].1.chunks(32)) {
-            verifier.absorb(batch, NEVER)?;
-        }
+        let objects = SurveyObjects::new(objects, Threads::Pool, NEVER)?;
+        let patches: Vec<&Vec<u8>> = stations.iter().flat_map(|s| &self.stations[*s].1).collect();
         let judge = |evidence: asbuilt_core::verify::Evidence| {
+            if std::env::var("DBG").is_ok() { eprintln!("{}\n", evidence.explain(&model.question, &VerdictRule::default(), NEVER)?); }
             let summary = evidence.summary(&model.question, &VerdictRule::default(), NEVER)?;
             let faces = evidence.faces(&model.question, NEVER)?;
             let face = faces.iter().find(|f| f.deviation.is_some() && f.deviation == summary.deviation);
             Ok((summary, face.map(|f| f.normal)))
         };
-        verifier.into_evidence().into_iter().map(judge).collect()
+        objects.evidence(&patches, 32, Threads::Pool, NEVER)?.into_iter().map(judge).collect()
     }
 }
 

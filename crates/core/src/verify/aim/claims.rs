@@ -40,23 +40,21 @@ impl Claims {
     }
 
     /// An object is drawn this far behind what the beam met; farther than [`MAX_CLAIM_M`] is none of its business.
-    /// Each object claims a return once.
     pub fn stake(&mut self, slot: usize, object: u32, deviation: f32) {
         if deviation.abs() > MAX_CLAIM_M || deviation.is_nan() {
             return;
         }
         let nearest = &mut self.nearest[slot];
         if deviation.abs() < nearest.deviation.abs() {
-            self.next[slot] = nearest.deviation;
+            if nearest.object != object {
+                self.next[slot] = nearest.deviation;
+            }
             *nearest = Claim { object, deviation };
+        } else if nearest.object == object {
+            // One body drawn twice.
         } else if deviation.abs() < self.next[slot].abs() {
             self.next[slot] = deviation;
         }
-    }
-
-    /// The object drawn nearest to this return, if one is near.
-    pub fn nearest(&self, slot: usize) -> Option<u32> {
-        Some(self.nearest[slot].object).filter(|object| *object != u32::MAX)
     }
 
     /// The claims of all objects but one.

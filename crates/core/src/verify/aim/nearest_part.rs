@@ -1,4 +1,4 @@
-//! How near a return lies to any part of the object: it belongs to the nearest one.
+//! Which part of an object lies nearest to a place: a return belongs to it.
 //!
 //! A beam aimed at the seat of a chair that passes its edge meets the leg: that says nothing of how far off the seat is.
 
@@ -7,7 +7,9 @@ use std::sync::OnceLock;
 use rstar::primitives::{GeomWithData, Rectangle};
 use rstar::{AABB, RTree};
 
+use super::near_face::NearFace;
 use super::target::{CHUNK, Target};
+use super::triangle::TargetTriangle;
 use crate::geometry::{Aabb, Vec3};
 
 /// The boxes of all chunks of triangles, made when they are first asked for.
@@ -16,27 +18,54 @@ pub struct PartIndex {
     tree: OnceLock<RTree<GeomWithData<Rectangle<[f64; 3]>, u32>>>,
 }
 
+impl PartIndex {
+    /// The triangles of all chunks whose boxes come within `within` metres of a place.
+    fn around<'a>(
+        &'a self,
+        triangles: &'a [TargetTriangle],
+        place_world: &Vec3,
+        within: f64,
+    ) -> impl Iterator<Item = &'a TargetTriangle> {
+        let boxed = |(i, chunk): (usize, &[TargetTriangle])| {
+            let bounds = Aabb::around(chunk.iter().flat_map(|t| &t.corners));
+            GeomWithData::new(Rectangle::from_corners(bounds.min, bounds.max), i as u32)
+        };
+        let all = || RTree::bulk_load(triangles.chunks(CHUNK).enumerate().map(boxed).collect());
+        let corner = |sign: f64| place_world.map(|c| c + sign * within).into();
+        let chunks =
+            self.tree.get_or_init(all).locate_in_envelope_intersecting(&AABB::from_corners(corner(-1.0), corner(1.0)));
+        chunks.flat_map(|chunk| triangles.chunks(CHUNK).nth(chunk.data as usize).unwrap_or_default())
+    }
+}
+
 impl Target {
     /// The distance from a return to the nearest triangle that its beam could have met, metres; `None` beyond `within`.
-    pub fn distance_to_nearest_part(&self, met_world: &Vec3, direction: &Vec3, within: f64) -> Option<f64> {
-        let tree = self.parts.tree.get_or_init(|| {
-            let boxed = |(i, chunk): (usize, &[_])| {
-                let bounds = Aabb::around(chunk.iter().flat_map(|t: &super::triangle::TargetTriangle| &t.corners));
-                GeomWithData::new(Rectangle::from_corners(bounds.min, bounds.max), i as u32)
-            };
-            RTree::bulk_load(self.triangles.chunks(CHUNK).enumerate().map(boxed).collect())
-        });
-        let around = AABB::from_corners(met_world.map(|c| c - within).into(), met_world.map(|c| c + within).into());
-        let chunks = tree.locate_in_envelope_intersecting(&around);
-        let triangles = chunks.flat_map(|chunk| {
-            let start = chunk.data as usize * CHUNK;
-            &self.triangles[start..(start + CHUNK).min(self.triangles.len())]
-        });
-        triangles
-            .filter(|t| self.two_sided || t.normal.dot(direction) < 0.0)
-            .map(|t| t.distance(met_world))
-            .filter(|d| *d <= within)
-            .min_by(f64::total_cmp)
+    pub fn distance_to_met_part(&self, met_world: &Vec3, direction: &Vec3, within: f64) -> Option<f64> {
+        self.nearest(met_world, within, |t| self.two_sided || t.normal.dot(direction) < 0.0).map(|(d, _)| d)
+    }
+
+    /// The distance from a place to the surface, metres; `None` beyond `within`.
+    pub fn distance(&self, place_world: &Vec3, within: f64) -> Option<f64> {
+        self.nearest(place_world, within, |_| true).map(|(d, _)| d)
+    }
+
+    /// The face nearest to a place; `None` beyond `within` metres.
+    pub fn near_face(&self, place_world: &Vec3, within: f64) -> Option<NearFace> {
+        let (distance, triangle) = self.nearest(place_world, within, |_| true)?;
+        let height = triangle.normal.dot(&(place_world - triangle.corners[0]));
+        let beside = (distance * distance - height * height).max(0.0).sqrt();
+        Some(NearFace { normal: triangle.normal, height, beside })
+    }
+
+    fn nearest(
+        &self,
+        place_world: &Vec3,
+        within: f64,
+        counts: impl Fn(&TargetTriangle) -> bool,
+    ) -> Option<(f64, &TargetTriangle)> {
+        let around = self.parts.around(&self.triangles, place_world, within).filter(|t| counts(t));
+        let near = around.map(|t| (t.distance(place_world), t)).filter(|(d, _)| *d <= within);
+        near.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 }
 
@@ -45,16 +74,32 @@ mod tests {
     use super::*;
     use crate::NEVER;
     use crate::geometry::Solid;
+    use rand::{Rng, SeedableRng};
 
-    /// A bench: of a return at the rear rail the rail is the nearest part, from the front alone.
     #[test]
     fn the_nearest_part_that_a_beam_could_meet() {
         let solid = Solid::cuboid([0.0; 3], [1.0, 0.4, 0.5]).unwrap();
         let target = Target::new(&solid, NEVER).unwrap();
-        let near = |p: [f64; 3], d: [f64; 3]| target.distance_to_nearest_part(&p.into(), &d.into(), 0.1);
+        let near = |p: [f64; 3], d: [f64; 3]| target.distance_to_met_part(&p.into(), &d.into(), 0.1);
         assert!((near([-0.02, 0.2, 0.2], [1.0, 0.0, 0.0]).unwrap() - 0.02).abs() < 1e-12);
         assert!((near([-0.03, -0.04, 0.2], [1.0, 1.0, 0.0]).unwrap() - 0.05).abs() < 1e-12);
         assert_eq!(near([-0.02, 0.2, 0.2], [-1.0, 0.0, 0.0]), None);
         assert_eq!(near([-0.2, 0.2, 0.2], [1.0, 0.0, 0.0]), None);
+        let face = target.near_face(&Vec3::new(-0.03, -0.04, 0.2), 0.1).unwrap();
+        assert!((face.deviation().abs() - 0.05).abs() < 1e-12 && face.beside > 0.02);
+        let face = target.near_face(&Vec3::new(0.5, 0.2, 0.49), 0.1).unwrap();
+        assert!((face.deviation() + 0.01).abs() < 1e-12 && face.normal == Vec3::z());
+    }
+
+    /// Brute force over all triangles.
+    #[test]
+    fn no_triangle_is_missed() {
+        let target = Target::new(&Solid::cylinder([0.0; 3], 0.3, 2.0, 300).unwrap(), NEVER).unwrap();
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(3);
+        for _ in 0..2_000 {
+            let p = Vec3::new(rng.random_range(-0.6..0.6), rng.random_range(-0.6..0.6), rng.random_range(-0.2..2.2));
+            let brute = target.triangles.iter().map(|t| t.distance(&p)).fold(f64::INFINITY, f64::min);
+            assert_eq!(target.distance(&p, 0.25), Some(brute).filter(|d| *d <= 0.25));
+        }
     }
 }

@@ -1,22 +1,21 @@
 //! Adding patches to the evidence about one solid.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
+use super::drawn_object::{DrawnObject, margin};
 use super::point_index::PointIndex;
 use crate::geometry::{Solid, Vec3};
-use crate::scan::{PatchHeader, RangeImage, Spacing, Vicinity};
-use crate::verify::aim::{
-    Aim, AimedAt, BeamCrossing, Claims, OtherObjects, Target, Unpacked, UnpackedBeams, crossings,
-};
+use crate::scan::{PatchHeader, RangeImage};
+use crate::verify::aim::{Aim, AimedAt, BeamCrossing, OtherObjects, Unpacked, UnpackedBeams, crossings};
 use crate::verify::evidence::{BLOCK, Evidence, SampleBlock, Samples, StationOrigin};
-use crate::verify::model::{BeamModel, BeamOutcome, EvidenceModel, KERNEL_SPACINGS, Sums, with_model};
+use crate::verify::model::{BeamModel, BeamOutcome, EvidenceModel, Sums, with_model};
 use crate::{Interrupt, Result, poll};
 
 /// Evidence being collected: the value, and the solid made ready for beams.
 #[derive(Debug)]
 pub struct Collector {
     pub(super) evidence: Evidence,
-    target: Target,
+    pub(super) drawn: Arc<DrawnObject>,
     /// Ball (local centre, radius) around each block of samples.
     balls: Vec<(Vec3, f64)>,
     /// Made when the first point without a beam comes.
@@ -28,30 +27,24 @@ pub struct Collector {
 impl Collector {
     /// Spreads samples over the solid; no patch was added yet.
     pub fn new(solid: &Solid, model: EvidenceModel, interrupt: Interrupt) -> Result<Self> {
-        Self::begin(solid, model, false, interrupt)
+        let drawn = DrawnObject::new(solid, model, interrupt)?;
+        Self::begin(solid, Arc::new(drawn), false, interrupt)
     }
 
     /// The same for one of many objects: beams that other objects explain are left out of all that comes.
-    pub(super) fn among_neighbours(solid: &Solid, model: EvidenceModel, interrupt: Interrupt) -> Result<Self> {
-        Self::begin(solid, model, true, interrupt)
+    pub(super) fn among_neighbours(solid: &Solid, drawn: Arc<DrawnObject>, interrupt: Interrupt) -> Result<Self> {
+        Self::begin(solid, drawn, true, interrupt)
     }
 
-    fn begin(solid: &Solid, model: EvidenceModel, knows_neighbours: bool, interrupt: Interrupt) -> Result<Self> {
-        // What the value says of itself; beyond the parameter's range only on objects of 500 km².
-        let spacing = Samples::effective_spacing(solid, model.spacing).min(EvidenceModel::MAX_SPACING_M);
-        let evidence = Evidence::about(solid, EvidenceModel { spacing, ..model }, knows_neighbours, interrupt)?;
+    fn begin(solid: &Solid, drawn: Arc<DrawnObject>, knows_neighbours: bool, interrupt: Interrupt) -> Result<Self> {
+        let evidence = Evidence::about(solid, drawn.model, knows_neighbours, interrupt)?;
         let (balls, is_slim) = (evidence.samples.balls(interrupt)?, evidence.samples.is_slim());
-        Ok(Self { evidence, target: Target::new(solid, interrupt)?, balls, point_index: OnceLock::new(), is_slim })
+        Ok(Self { evidence, drawn, balls, point_index: OnceLock::new(), is_slim })
     }
 
     /// The evidence so far.
     pub fn evidence(&self) -> &Evidence {
         &self.evidence
-    }
-
-    /// Whether some of the solid are panes or leaves.
-    pub(super) fn has_optional(&self) -> bool {
-        self.target.has_optional
     }
 
     /// Gives up the evidence.
@@ -66,13 +59,7 @@ impl Collector {
 
     /// Whether a patch can tell anything of the solid, by its header alone.
     pub fn concerns(&self, header: &PatchHeader) -> bool {
-        let around = match header.spacing {
-            Spacing::Angle(_) => 0.0,
-            Spacing::Distance(spacing) => self.evidence.model.band_behind() + KERNEL_SPACINGS * spacing,
-        };
-        let bounds = &self.evidence.bounds;
-        let (radius, reach, beside) = (0.5 * bounds.diagonal(), self.reach(header), self.kernel_radius());
-        header.can_tell_of(bounds, &Vicinity { around, radius, reach, beside, beside_angle: margin(header) })
+        self.drawn.concerns(header)
     }
 
     /// Adds what a packed patch tells. Points without origin count for the face nearest to them, and never for empty
@@ -82,26 +69,8 @@ impl Collector {
             return Ok(());
         }
         let patch = Unpacked::of(patch, self.evidence.model.intensity.is_some())?;
-        let aim = self.aim(&patch, interrupt)?;
+        let aim = self.drawn.aim(&patch, interrupt)?;
         self.absorb_aimed(&patch, &aim, None, interrupt)
-    }
-
-    /// Where the beams of a patch from one place would cross the solid.
-    pub(super) fn aim(&self, patch: &Unpacked, interrupt: Interrupt) -> Result<Aim> {
-        if !self.concerns(&patch.header) {
-            return Ok(Aim::Aside);
-        }
-        match &patch.beams {
-            UnpackedBeams::FromOne(view) if with_model!(self.evidence.model.kind, M => M::CROSSES_SURFACE) => {
-                let crossings = crossings(&self.target, view, self.reach(&view.header), interrupt)?;
-                Ok(if crossings.is_empty() && !self.is_slim { Aim::Aside } else { Aim::At(crossings) })
-            }
-            UnpackedBeams::Points(points) => {
-                let near = self.near_faces(&patch.header, points, interrupt)?;
-                Ok(if near.is_empty() { Aim::Aside } else { Aim::Near(near) })
-            }
-            _ => Ok(Aim::Unknown),
-        }
     }
 
     /// The samples, to be searched by points.
@@ -109,21 +78,8 @@ impl Collector {
         if let Some(index) = self.point_index.get() {
             return Ok(index);
         }
-        let made = PointIndex::of(&self.evidence.samples, self.evidence.model.spacing, interrupt)?;
+        let made = PointIndex::of(&self.evidence.samples, interrupt)?;
         Ok(self.point_index.get_or_init(|| made))
-    }
-
-    /// Claims for this solid, number `object`, what was met near where it is drawn.
-    pub(super) fn claim(&self, patch: &Unpacked, aim: &Aim, object: u32, claims: &mut Claims) {
-        match (&patch.beams, aim) {
-            (UnpackedBeams::FromOne(view), Aim::At(crossings)) => {
-                claims.stake_all(view, &self.target, crossings, object);
-            }
-            (_, Aim::Near(faces)) => {
-                faces.iter().for_each(|(i, face)| claims.stake(*i as usize, object, face.deviation() as f32));
-            }
-            _ => {}
-        }
     }
 
     /// Adds what a patch tells whose aim is known. What is rather one of the `others`' does not displace this one.
@@ -146,6 +102,7 @@ impl Collector {
     ) -> Result<()> {
         match (&patch.beams, aim) {
             (_, Aim::Aside) => Ok(()),
+            (_, Aim::At(crossings)) if crossings.is_empty() && !self.is_slim => Ok(()),
             (UnpackedBeams::FromOne(view), Aim::At(crossings)) => {
                 let place = StationOrigin::At(view.header.origin);
                 self.absorb_crossings::<M>(view, crossings, place, others, Some, interrupt)?;
@@ -182,7 +139,7 @@ impl Collector {
         interrupt: Interrupt,
     ) -> Result<()> {
         let crossings = if M::CROSSES_SURFACE {
-            crossings(&self.target, view, self.reach(&view.header), interrupt)?
+            crossings(&self.drawn.target, view, self.drawn.reach(&view.header), interrupt)?
         } else {
             Vec::new()
         };
@@ -199,7 +156,7 @@ impl Collector {
         interrupt: Interrupt,
     ) -> Result<()> {
         let model = self.evidence.model;
-        let aimed = AimedAt { target: &self.target, crossings, others };
+        let aimed = AimedAt { target: &self.drawn.target, crossings, others };
         match M::beams(view, &aimed, &model, keep, interrupt)? {
             Some(beams) => self.gather::<M>(view, place, &beams, interrupt),
             None => Ok(()),
@@ -215,7 +172,7 @@ impl Collector {
         interrupt: Interrupt,
     ) -> Result<()> {
         let header = &view.header;
-        let (margin, reach, beside) = (margin(header), self.reach(header), M::beside_cone(beams));
+        let (margin, reach, beside) = (margin(header), self.drawn.reach(header), M::beside_cone(beams));
         let number = self.evidence.station_index(header.station, place);
         let Evidence { samples, stations, .. } = &mut self.evidence;
         let station = &mut stations[number];
@@ -244,24 +201,6 @@ impl Collector {
         stations.retain(|s| !s.blocks.is_empty());
         self.evidence.check_size()
     }
-
-    /// How far from the scanner a patch can tell anything, metres: behind its farthest return by the search band as a
-    /// beam at the steepest admitted incidence sees it.
-    fn reach(&self, header: &PatchHeader) -> f64 {
-        let model = &self.evidence.model;
-        let behind = model.band_in_front() / model.max_incidence.cos();
-        let returns = f64::from(header.range[1]) + behind + self.kernel_radius();
-        if header.flags & PatchHeader::FLAG_NO_RETURNS != 0 { returns.max(model.no_return_range) } else { returns }
-    }
-
-    fn kernel_radius(&self) -> f64 {
-        with_model!(self.evidence.model.kind, M => M::kernel_radius(&self.evidence.model))
-    }
-}
-
-/// Angle beyond the patch's cone within which a sample is still in the kernel of its beams, radians.
-fn margin(header: &PatchHeader) -> f64 {
-    KERNEL_SPACINGS * header.spacing.angle() + 1e-6
 }
 
 /// The samples of an object and the beams of a view, to be brought together block by block.

@@ -1,8 +1,8 @@
-//! Which samples a point without a beam concerns: those of the face nearest to it.
+//! Which samples a point without a beam concerns: those around its foot.
 
 use nalgebra::Matrix3;
 use rstar::primitives::{GeomWithData, Rectangle};
-use rstar::{AABB, PointDistance, RTree};
+use rstar::{AABB, RTree};
 
 use crate::geometry::{Aabb, Vec3};
 use crate::verify::aim::NearFace;
@@ -10,18 +10,12 @@ use crate::verify::evidence::Samples;
 use crate::verify::model::{KERNEL_SPACINGS, PointTouch, same_surface};
 use crate::{Interrupt, Result, poll_now_and_then};
 
-/// A point whose own standard deviation along the normal is more than this part of the search band tells nothing: where
-/// in the band it lies would be chance.
-const MAX_SD: f64 = 0.5;
-
 type BlockBox = GeomWithData<Rectangle<[f64; 3]>, u32>;
 
 /// The boxes of all blocks of samples (local coordinates), for search.
 #[derive(Debug)]
 pub struct PointIndex {
     tree: RTree<BlockBox>,
-    /// Distance of the samples, metres.
-    sample_spacing: f64,
 }
 
 /// A point, local metres.
@@ -43,7 +37,7 @@ impl LocalPoint {
 
 impl PointIndex {
     /// Boxes every block.
-    pub fn of(samples: &Samples, sample_spacing: f64, interrupt: Interrupt) -> Result<Self> {
+    pub fn of(samples: &Samples, interrupt: Interrupt) -> Result<Self> {
         let mut boxes = Vec::with_capacity(samples.blocks.len());
         for (i, block) in samples.blocks.iter().enumerate() {
             poll_now_and_then(i, interrupt)?;
@@ -51,22 +45,7 @@ impl PointIndex {
             let b = Aabb::around(&points);
             boxes.push(BlockBox::new(Rectangle::from_corners(b.min, b.max), i as u32));
         }
-        Ok(Self { tree: RTree::bulk_load(boxes), sample_spacing })
-    }
-
-    /// The face nearest to a point, if the point lies in front of it by at most `in_front` metres or behind it by at most
-    /// `behind`, and is known well enough to say so.
-    pub fn near_face(&self, samples: &Samples, point: &LocalPoint, (in_front, behind): (f64, f64)) -> Option<NearFace> {
-        let reach = in_front.max(behind);
-        let point_local = point.position_local;
-        let (nearest, normal) = self.nearest(samples, &point_local, reach + point.spacing)?;
-        let off = point_local - nearest;
-        let height = normal.dot(&off);
-        // Samples are no farther apart than this: what is nearer to one lies above the face.
-        let beside = Some((off - normal * height).norm()).filter(|b| *b > self.sample_spacing).unwrap_or(0.0);
-        let sd = normal.dot(&(point.covariance * normal)).max(0.0).sqrt();
-        let is_near = (-behind..=in_front).contains(&height) && sd <= MAX_SD * reach;
-        is_near.then_some(NearFace { normal, height, beside })
+        Ok(Self { tree: RTree::bulk_load(boxes) })
     }
 
     /// Calls `visit(block, sample within it, touch)` for every sample around the foot of `point` on the face nearest to
@@ -100,25 +79,5 @@ impl PointIndex {
                 visit(found.data, k, &touch);
             }
         }
-    }
-
-    /// The nearest sample within `reach`, and its normal.
-    fn nearest(&self, samples: &Samples, point_local: &Vec3, reach: f64) -> Option<(Vec3, Vec3)> {
-        let at: [f64; 3] = (*point_local).into();
-        let mut best = (reach * reach, None);
-        for found in self.tree.nearest_neighbor_iter(&at) {
-            if found.distance_2(&at) > best.0 {
-                break;
-            }
-            let block = samples.blocks[found.data as usize];
-            for k in 0..block.len as usize {
-                let q = samples.local(block.start as usize + k);
-                let off = (q - point_local).norm_squared();
-                if off < best.0 {
-                    best = (off, Some((q, samples.normals[block.face as usize])));
-                }
-            }
-        }
-        best.1
     }
 }

@@ -10,6 +10,9 @@ use crate::verify::evidence::{Evidence, StationOrigin};
 use crate::verify::model::{BeamModel, BeamOutcome, PointTouch, may_be_anothers, with_model};
 use crate::{Interrupt, Result, poll};
 
+/// A point whose own standard deviation along the normal is more than this part of the search band tells nothing: where
+/// in the band it lies would be chance.
+const MAX_SD: f64 = 0.5;
 /// The station number of tie points; their cameras tell themselves apart by their places.
 const TIE_POINTS: i64 = 0;
 
@@ -30,8 +33,7 @@ impl Collector {
         if !M::RAYS_TELL_OF_THEIR_END || cameras.is_empty() {
             let position_local = point.position - self.evidence.samples.reference;
             let local = LocalPoint { position_local, covariance: point.covariance, spacing };
-            let index = self.point_index(interrupt)?;
-            let face = index.near_face(&self.evidence.samples, &local, self.bands());
+            let face = self.drawn.near_face(&point.position).filter(|face| self.tells(point, face));
             self.absorb_points::<M>(face.map(|face| (local, face)).into_iter(), TIE_POINTS, interrupt)?;
         }
         let share = 1.0 / cameras.len().max(1) as f32;
@@ -52,29 +54,10 @@ impl Collector {
         Ok(())
     }
 
-    /// Which points of a cloud without origin lie near which face of the solid.
-    pub(super) fn near_faces(
-        &self,
-        header: &PatchHeader,
-        points: &[Vec3],
-        interrupt: Interrupt,
-    ) -> Result<Vec<(u32, NearFace)>> {
-        let (index, samples) = (self.point_index(interrupt)?, &self.evidence.samples);
-        let bands = self.bands();
-        let spacing = header.spacing.distance().max(1e-4);
-        let around = self.evidence.bounds.expanded(bands.0.max(bands.1) + spacing);
-        let mut near = Vec::new();
-        for (i, point) in points.iter().enumerate() {
-            if i % 64 == 0 {
-                poll(interrupt)?;
-            }
-            let point_world = point + header.origin;
-            if around.holds(&point_world) {
-                let point = LocalPoint::exact(point_world - samples.reference, spacing);
-                near.extend(index.near_face(samples, &point, bands).map(|face| (i as u32, face)));
-            }
-        }
-        Ok(near)
+    /// Whether a point is known well enough to say where in the search band it lies.
+    fn tells(&self, point: &UncertainPoint, face: &NearFace) -> bool {
+        let reach = self.drawn.model.band_in_front().max(self.drawn.model.band_behind());
+        face.normal.dot(&(point.covariance * face.normal)).max(0.0).sqrt() <= MAX_SD * reach
     }
 
     /// Adds the points near a face that no other object explains.
@@ -124,11 +107,6 @@ impl Collector {
         self.evidence.check_size()
     }
 
-    /// How far in front of a face and behind it a point may be its surface, metres.
-    fn bands(&self) -> (f64, f64) {
-        (self.evidence.model.band_in_front(), self.evidence.model.band_behind())
-    }
-
     /// Adds the returns beside a slim solid that no other object explains: each counts for the face nearest to it.
     pub(super) fn absorb_beside<M: BeamModel>(
         &mut self,
@@ -138,7 +116,7 @@ impl Collector {
         interrupt: Interrupt,
     ) -> Result<()> {
         self.point_index(interrupt)?;
-        let Self { evidence, point_index, .. } = self;
+        let Self { evidence, point_index, drawn, .. } = self;
         let Some(index) = point_index.get() else { return Ok(()) };
         let model = evidence.model;
         let (header, band) = (&view.header, model.band_in_front());
@@ -155,7 +133,8 @@ impl Collector {
             let Some(met_world) = met_beside(view, slot, crossings, &around) else { continue };
             let spacing = view.step() * view.ranges[slot];
             let point = LocalPoint::exact(met_world - samples.reference, spacing);
-            let Some(face) = index.near_face(samples, &point, (band, band)) else { continue };
+            let near = drawn.target.near_face(&met_world, band).filter(|face| face.height.abs() <= band);
+            let Some(face) = near else { continue };
             if may_be_anothers(face.height, others.deviation(slot), &model) {
                 continue;
             }

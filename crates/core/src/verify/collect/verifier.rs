@@ -1,75 +1,101 @@
 //! Many objects verified together: a patch is unpacked once for all objects that it concerns.
 
+use std::sync::Arc;
+
 use super::collector::Collector;
+use super::drawn_object::DrawnObject;
+use super::survey_objects::{Batch, SurveyObjects};
 use super::threads::Threads;
-use crate::geometry::Solid;
+use crate::scan::PatchHeader;
 use crate::verify::aim::{Aim, Claims, Unpacked, UnpackedBeams};
 use crate::verify::evidence::Evidence;
-use crate::verify::model::EvidenceModel;
 use crate::verify::sights::Sights;
 use crate::{Interrupt, Result, poll};
 
-/// Evidence about many solids, being collected.
+/// Evidence about the objects of a batch, being collected.
 #[derive(Debug)]
-pub struct Verifier {
-    collectors: Vec<Collector>,
+pub struct Verifier<'a> {
+    objects: &'a SurveyObjects,
+    collectors: Vec<(u32, Collector)>,
+    /// Objects that may have been met instead.
+    around: Vec<u32>,
     threads: Threads,
-    sights: Sights,
 }
 
-impl Verifier {
-    /// Spreads samples over every solid.
-    pub fn new(objects: &[(Solid, EvidenceModel)], threads: Threads, interrupt: Interrupt) -> Result<Self> {
-        let collectors =
-            threads.map(objects, |(solid, model)| Collector::among_neighbours(solid, *model, interrupt))?;
-        let sights = Sights::of(collectors.iter().map(Collector::has_optional).collect());
-        Ok(Self { collectors, threads, sights })
+impl<'a> Verifier<'a> {
+    /// Spreads samples over every solid of the batch.
+    pub fn new(objects: &'a SurveyObjects, batch: &Batch, threads: Threads, interrupt: Interrupt) -> Result<Self> {
+        let collector = |i: &u32| {
+            let drawn = Arc::clone(&objects.drawn[*i as usize]);
+            Ok((*i, Collector::among_neighbours(objects.solid(*i), drawn, interrupt)?))
+        };
+        let collectors = threads.map(&batch.own, collector)?;
+        Ok(Self { objects, collectors, around: batch.around.clone(), threads })
     }
 
-    /// Adds what a batch of packed patches tells; all are unpacked at once. Objects know each other here: what a beam
-    /// met is that object's to whose drawn surface it lies nearest, and does not displace another one behind it
-    /// (cladding, a wall's end). The evidence is the same to the last bit whatever the batches and threads: it is made
-    /// of integer sums, and each object adds up its own.
-    pub fn absorb<P: AsRef<[u8]> + Sync>(&mut self, patches: &[P], interrupt: Interrupt) -> Result<()> {
-        let with_intensities = self.collectors.iter().any(|c| c.evidence().model().intensity.is_some());
-        let unpacked = self.threads.map(patches, |p| {
-            poll(interrupt)?;
-            Unpacked::of(p.as_ref(), with_intensities)
-        })?;
-        let aims: Vec<Vec<Aim>> = self.threads.map(&self.collectors, |collector| {
-            unpacked.iter().map(|patch| collector.aim(patch, interrupt)).collect::<Result<_>>()
-        })?;
-        let numbers: Vec<usize> = (0..unpacked.len()).collect();
-        let claims = self.threads.map(&numbers, |&i| {
-            let mut claims = Claims::none(unpacked[i].claimable());
-            for (object, (collector, aims)) in self.collectors.iter().zip(&aims).enumerate() {
-                collector.claim(&unpacked[i], &aims[i], object as u32, &mut claims);
-            }
-            Ok(claims)
-        })?;
-        for (patch, claims) in unpacked.iter().zip(&claims) {
-            poll(interrupt)?;
-            if let UnpackedBeams::FromOne(view) = &patch.beams {
-                self.sights.add(view, claims);
-            }
+    /// Adds what some packed patches tell; all are unpacked at once. Objects know each other here: what a beam met is
+    /// that object's to whose drawn surface it lies nearest, and does not displace another one behind it (cladding, a
+    /// wall's end). The evidence is the same to the last bit whatever the batches and threads: it is made of integer
+    /// sums, and each object adds up its own. Where `sights` are given, they remember all beams.
+    pub fn absorb<P: AsRef<[u8]> + Sync>(
+        &mut self,
+        patches: &[P],
+        mut sights: Option<&mut Sights>,
+        interrupt: Interrupt,
+    ) -> Result<()> {
+        let unpacked = self.unpacked(patches, sights.is_some(), interrupt)?;
+        if let Some(sights) = &mut sights {
+            let views = unpacked.iter().filter_map(|u| match &u.beams {
+                UnpackedBeams::FromOne(view) => Some(view),
+                _ => None,
+            });
+            views.into_iter().try_for_each(|view| poll(interrupt).map(|()| sights.add(view)))?;
         }
-        let mut work: Vec<_> = self.collectors.iter_mut().zip(&aims).enumerate().collect();
-        self.threads.for_each(&mut work, |(object, (collector, aims))| {
+        let aims = |object: &DrawnObject| -> Result<Vec<Aim>> {
+            unpacked.iter().map(|patch| object.aim(patch, interrupt)).collect()
+        };
+        let own = self.threads.map(&self.collectors, |(_, collector)| aims(&collector.drawn))?;
+        let around = self.threads.map(&self.around, |i| aims(&self.objects.drawn[*i as usize]))?;
+        let claims = self.claims(&unpacked, &own, &around)?;
+        let mut work: Vec<_> = self.collectors.iter_mut().zip(&own).collect();
+        self.threads.for_each(&mut work, |((object, collector), aims)| {
             let mut patches = unpacked.iter().zip(aims.iter()).zip(&claims);
             patches.try_for_each(|((patch, aim), claims)| {
-                let others = claims.of_others_than(*object as u32);
+                let others = claims.of_others_than(self.objects.body(*object));
                 collector.absorb_aimed(patch, aim, Some(others), interrupt)
             })
         })
     }
 
-    /// The evidence about each solid, in their order.
-    pub fn into_evidence(self) -> Vec<Evidence> {
-        self.finish().0
+    /// The patches that concern any of the objects, or all.
+    fn unpacked<P: AsRef<[u8]> + Sync>(&self, patches: &[P], all: bool, interrupt: Interrupt) -> Result<Vec<Unpacked>> {
+        let with_intensities = self.collectors.iter().any(|(_, c)| c.evidence().model().intensity.is_some());
+        let unpacked = self.threads.map(patches, |p| {
+            poll(interrupt)?;
+            let header = PatchHeader::read(p.as_ref())?;
+            let concerned = all || self.collectors.iter().any(|(_, c)| c.concerns(&header));
+            concerned.then(|| Unpacked::of(p.as_ref(), with_intensities)).transpose()
+        })?;
+        Ok(unpacked.into_iter().flatten().collect())
     }
 
-    /// The same, and where all beams ended.
-    pub fn finish(self) -> (Vec<Evidence>, Sights) {
-        (self.collectors.into_iter().map(Collector::into_evidence).collect(), self.sights)
+    /// For each patch which of its returns lie near which object.
+    fn claims(&self, unpacked: &[Unpacked], own: &[Vec<Aim>], around: &[Vec<Aim>]) -> Result<Vec<Claims>> {
+        let numbers = self.collectors.iter().map(|(i, _)| i).chain(&self.around);
+        let aimed: Vec<(&u32, &Vec<Aim>)> = numbers.zip(own.iter().chain(around)).collect();
+        let patches: Vec<usize> = (0..unpacked.len()).collect();
+        self.threads.map(&patches, |&k| {
+            let mut claims = Claims::none(unpacked[k].claimable());
+            for (object, aims) in &aimed {
+                let (drawn, body) = (&self.objects.drawn[**object as usize], self.objects.body(**object));
+                drawn.claim(&unpacked[k], &aims[k], body, &mut claims);
+            }
+            Ok(claims)
+        })
+    }
+
+    /// The evidence about each object of the batch, by its number.
+    pub fn into_evidence(self) -> impl Iterator<Item = (u32, Evidence)> {
+        self.collectors.into_iter().map(|(i, collector)| (i, collector.into_evidence()))
     }
 }

@@ -51,7 +51,12 @@ impl Samples {
 
     /// Bytes that the samples on `solid` will take, at least. The spacing in metres.
     pub fn expected_memory(solid: &Solid, spacing: f64) -> usize {
-        (solid.area() / (spacing * spacing)).min(MAX_SAMPLES) as usize * size_of::<[f32; 3]>()
+        Self::expected(solid, spacing) as usize * size_of::<[f32; 3]>()
+    }
+
+    /// How many samples `solid` will have. The spacing in metres.
+    pub fn expected(solid: &Solid, spacing: f64) -> f64 {
+        (solid.area() / (spacing * spacing)).min(MAX_SAMPLES)
     }
 
     /// Spreads samples over `solid`, one for about every [`Samples::effective_spacing`]² of its area (m). A solid

@@ -52,6 +52,11 @@ impl Evidence {
         &self.samples
     }
 
+    /// Why the object stayed unobserved, where somebody looked a second time.
+    pub fn unseen(&self) -> Option<Unseen> {
+        self.unseen
+    }
+
     /// Checksum of the solid that the samples lie on.
     pub fn fingerprint(&self) -> u32 {
         self.fingerprint

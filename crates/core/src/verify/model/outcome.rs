@@ -127,7 +127,7 @@ impl Classifier<'_> {
         }
         let direction = &self.view.directions[slot];
         let met_world = direction * self.view.ranges[slot] + self.view.header.origin;
-        let part = self.aimed.target.distance_to_nearest_part(&met_world, direction, 0.5 * deviation.abs());
+        let part = self.aimed.target.distance_to_met_part(&met_world, direction, 0.5 * deviation.abs());
         part.map_or(Ownership::MayBeOwn, |part| ownership_of_part(deviation, part, self.noise))
     }
 

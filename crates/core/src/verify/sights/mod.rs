@@ -8,4 +8,5 @@ mod second_look;
 mod sight_map;
 mod survey;
 
+pub(super) use second_look::{Looked, Owner};
 pub use survey::Sights;

@@ -1,14 +1,25 @@
 //! Why one sample was not seen, from where the beams of each station ended.
 
-use super::sight_map::{NOBODY, SightMap};
+use super::sight_map::SightMap;
 use crate::geometry::Vec3;
 use crate::verify::evidence::Why;
 use crate::verify::model::{EvidenceModel, as_designed};
 
+/// Whose drawn surface lies where a beam ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Owner {
+    /// The object's that is looked at.
+    Own,
+    /// Another object's, by its number.
+    Other(u32),
+    /// Nobody drew anything there.
+    Nobody,
+}
+
 /// The object that is looked at.
 pub struct Looked<'a> {
-    /// Its number.
-    pub object: u32,
+    /// Whose surface is drawn at a place, as a beam in this direction meets it. World metres.
+    pub owner: &'a dyn Fn(&Vec3, &Vec3) -> Owner,
     /// Its faces are seen from both sides.
     pub two_sided: bool,
     /// Some of its parts are panes or leaves.
@@ -17,29 +28,48 @@ pub struct Looked<'a> {
 }
 
 /// What kept one station from a sample, from the least to the most that had to change for it to be seen.
-#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Kept {
     Shared,
     Reached,
     NothingReturned,
     Steep,
-    /// By an object or [`NOBODY`], from so far away.
-    Hidden(f64, u32),
+    Hidden {
+        by: Option<u32>,
+        /// How far the station is, metres: of several that are kept away the nearest counts.
+        range: f64,
+    },
     Aside,
+}
+
+impl Kept {
+    fn order(&self) -> (u8, f64) {
+        match self {
+            Self::Shared => (0, 0.0),
+            Self::Reached => (1, 0.0),
+            Self::NothingReturned => (2, 0.0),
+            Self::Steep => (3, 0.0),
+            Self::Hidden { range, .. } => (4, *range),
+            Self::Aside => (5, 0.0),
+        }
+    }
 }
 
 impl Looked<'_> {
     /// Why a sample was not seen, and which object hides it. World metres.
     pub fn why(&self, maps: &[&SightMap], position_world: &Vec3, normal: &Vec3) -> (Why, Option<u32>) {
         let kept = maps.iter().map(|map| self.kept(map, position_world, normal));
-        let least = kept.min_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal)).unwrap_or(Kept::Aside);
-        match least {
+        let order = |a: &Kept, b: &Kept| {
+            let (a, b) = (a.order(), b.order());
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+        };
+        match kept.min_by(order).unwrap_or(Kept::Aside) {
             Kept::Shared => (Why::SharedFace, None),
             Kept::Reached => (Why::TooFew, None),
             Kept::NothingReturned => (Why::NoReturn, None),
             Kept::Steep => (Why::TooSteep, None),
-            Kept::Hidden(_, NOBODY) => (Why::HiddenByOther, None),
-            Kept::Hidden(_, object) => (Why::HiddenByObject, Some(object)),
+            Kept::Hidden { by: None, .. } => (Why::HiddenByOther, None),
+            Kept::Hidden { by, .. } => (Why::HiddenByObject, by),
             Kept::Aside => (Why::NotLookedAt, None),
         }
     }
@@ -47,19 +77,24 @@ impl Looked<'_> {
     fn kept(&self, map: &SightMap, position_world: &Vec3, normal: &Vec3) -> Kept {
         let sight = position_world - map.origin_world;
         let range = sight.norm();
-        let towards = -sight.dot(normal) / range;
+        let (direction, towards) = (sight / range, -sight.dot(normal) / range);
         let cos = if self.two_sided { towards.abs() } else { towards };
-        let Some(beam) = (cos > 0.0).then(|| map.towards(&(sight / range))).flatten() else { return Kept::Aside };
+        let Some(beam) = (cos > 0.0).then(|| map.towards(&direction)).flatten() else { return Kept::Aside };
         let Some(met) = beam.met() else { return Kept::NothingReturned };
         // In front of the sample's plane, on the station's side.
         let height = (met - sight).dot(normal) * towards.signum();
         let as_designed = as_designed(self.model);
-        if height > as_designed && met.norm() < range && beam.owner != self.object {
-            return Kept::Hidden(range, beam.owner);
+        let owner = || (self.owner)(&(met + map.origin_world), &met.normalize());
+        if height > as_designed && met.norm() < range {
+            match owner() {
+                Owner::Own => {}
+                Owner::Other(object) => return Kept::Hidden { by: Some(object), range },
+                Owner::Nobody => return Kept::Hidden { by: None, range },
+            }
         }
         match () {
             () if cos < self.model.max_incidence.cos() => Kept::Steep,
-            () if height.abs() <= as_designed && beam.owner != NOBODY && beam.owner != self.object => Kept::Shared,
+            () if height.abs() <= as_designed && matches!(owner(), Owner::Other(_)) => Kept::Shared,
             // What passes a pane, or where a leaf is drawn, says nothing of it.
             () if height < -as_designed && self.has_optional => Kept::NothingReturned,
             () => Kept::Reached,

@@ -7,9 +7,6 @@ use crate::geometry::Vec3;
 /// Height of a row of cells, and width of a cell, radians: 10 cm at 10 m.
 const CELL: f64 = 0.01;
 
-/// No object.
-pub const NOBODY: u32 = u32::MAX;
-
 /// One beam a cell, the one nearest to its middle, so that the order in which beams come does not matter.
 #[derive(Debug)]
 pub struct SightMap {
@@ -25,8 +22,6 @@ pub struct SightMap {
 pub struct Sight {
     /// From where beams start, metres; infinite in a direction from which nothing returned.
     pub met_scanner: [f32; 3],
-    /// The object near whose drawn surface that is.
-    pub owner: u32,
     /// Squared distance from the cell's middle, in cells.
     off: f32,
 }
@@ -55,12 +50,12 @@ impl SightMap {
         ((0.4 * CELL / step).powi(2) as usize).max(1)
     }
 
-    /// Remembers a beam: its unit direction, its range (metres, infinite without return), the object that claims it.
-    pub fn add(&mut self, direction: &Vec3, range: f64, owner: u32) {
+    /// Remembers a beam: its unit direction and its range, metres, infinite without return.
+    pub fn add(&mut self, direction: &Vec3, range: f64) {
         let (cell, off) = self.place(direction);
         let met = if range.is_finite() { direction * range } else { Vec3::repeat(f64::INFINITY) };
-        let sight = Sight { met_scanner: met.map(|c| c as f32).into(), owner, off };
-        let order = |s: &Sight| (s.off.to_bits(), s.met_scanner.map(f32::to_bits), s.owner);
+        let sight = Sight { met_scanner: met.map(|c| c as f32).into(), off };
+        let order = |s: &Sight| (s.off.to_bits(), s.met_scanner.map(f32::to_bits));
         if self.cells[cell].is_none_or(|known| order(&sight) < order(&known)) {
             self.cells[cell] = Some(sight);
         }
@@ -98,31 +93,28 @@ mod tests {
     #[test]
     fn a_direction_finds_a_beam_near_it() {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
-        let mut beams: Vec<(Vec3, f64, u32)> = Vec::new();
+        let mut beams: Vec<(Vec3, f64)> = Vec::new();
         while beams.len() < 400_000 {
             let d = Vec3::from([0; 3].map(|_| rng.random_range(-1.0..1.0)));
             if (0.1..1.0).contains(&d.norm()) && d.z < 0.9 * d.norm() {
-                beams.push((d.normalize(), rng.random_range(1.0..9.0), beams.len() as u32));
+                beams.push((d.normalize(), rng.random_range(1.0..9.0)));
             }
         }
-        let map = |beams: &[(Vec3, f64, u32)]| {
+        let map = |beams: &[(Vec3, f64)]| {
             let mut map = SightMap::new(Vec3::zeros());
-            beams.iter().for_each(|(d, r, o)| map.add(d, *r, *o));
+            beams.iter().for_each(|(d, r)| map.add(d, *r));
             map
         };
         let first = map(&beams);
-        let sent = beams.clone();
         beams.shuffle(&mut rng);
         assert_eq!(first.cells, map(&beams).cells);
-        for (d, ..) in sent.iter().take(20_000) {
-            let found = first.towards(d).unwrap();
-            let (direction, range, _) = sent[found.owner as usize];
-            assert!(direction.dot(d) > (2.0 * CELL).cos(), "{d} {direction}");
-            assert!((found.met().unwrap() - direction * range).norm() < 1e-5);
+        for (d, _) in beams.iter().take(20_000) {
+            let found = first.towards(d).unwrap().met().unwrap();
+            assert!(found.normalize().dot(d) > (2.0 * CELL).cos(), "{d} {found}");
         }
         assert_eq!(first.towards(&Vec3::z()), None);
         let mut nothing = SightMap::new(Vec3::zeros());
-        nothing.add(&Vec3::x(), f64::INFINITY, NOBODY);
+        nothing.add(&Vec3::x(), f64::INFINITY);
         assert_eq!(nothing.towards(&Vec3::x()).unwrap().met(), None);
     }
 }
