@@ -10,7 +10,7 @@ FROM  (VALUES (1, -0.5), (2, 1)) s(station, y), generate_series(-70, 70) a, gene
 GROUP  BY station;
 CREATE TEMP TABLE evidence AS
 SELECT o.id, o.name, ab_evidence_agg(o.solid, s.patch, ab_evidence_model('LOA30', spacing => 0.05)) AS evidence
-FROM   building_object o LEFT JOIN scan s ON s.patch && o.solid GROUP BY o.id, o.name;
+FROM   building_object o LEFT JOIN scan s ON s.patch && ab_reach(o.solid) GROUP BY o.id, o.name;
 
 -- ab_evidence_model
 SELECT ab_evidence_model() AS by_default, ab_evidence_model('LOA40', spacing => 0.02, sigma_range => 0.001) AS stated;
@@ -24,11 +24,14 @@ SELECT ab_with_sensor(ab_evidence_model('LOA30'), 'phase') AS model;
 -- ab_with_intensity
 SELECT ab_with_intensity(ab_evidence_model('LOA30'), reference => 1000) AS model;
 
+-- ab_reach
+SELECT ab_reach(ab_solid(ab_box(0, 0, 0, 4, 0.2, 2.5))) AS around, ab_reach(ab_solid(ab_box(0, 0, 0, 4, 0.2, 2.5)), 'LOA10') AS for_loa10;
+
 -- ab_evidence_agg
 -- From scans, and from tie points of photographs that two cameras took.
 SELECT name, ab_verdict(evidence) AS verdict
 FROM  (SELECT o.id, o.name, ab_evidence_agg(o.solid, s.patch, ab_evidence_model('LOA30', spacing => 0.05)) AS evidence
-       FROM   building_object o LEFT JOIN scan s ON s.patch && o.solid GROUP BY o.id, o.name) e ORDER BY id;
+       FROM   building_object o LEFT JOIN scan s ON s.patch && ab_reach(o.solid) GROUP BY o.id, o.name) e ORDER BY id;
 SELECT ab_verdict(ab_evidence_agg(solid, ab_point(5, a * 0.05, 1 + b * 0.05, 0.002), ARRAY[[0, 0, 1], [0, 1, 1]],
                                   ab_evidence_model(spacing => 0.05))) AS by_tie_points
 FROM   building_object, generate_series(-39, 39) a, generate_series(-19, 19) b WHERE id = 1;

@@ -18,6 +18,11 @@ CREATE FUNCTION ab_rollup(e1 ab_evidence, e2 ab_evidence) RETURNS ab_evidence
 COMMENT ON FUNCTION ab_rollup(ab_evidence, ab_evidence) IS
     'Adds up evidence about the same solid, exactly: as if all patches had been aggregated at once';
 
+CREATE FUNCTION ab_reach(solid ab_solid, model ab_evidence_model DEFAULT NULL) RETURNS ab_box
+    AS 'MODULE_PATHNAME', 'ab_model_reach' LANGUAGE c IMMUTABLE PARALLEL SAFE;
+COMMENT ON FUNCTION ab_reach(ab_solid, ab_evidence_model) IS
+    'Box of a solid grown by as far as evidence looks around it: what to join patches with (patch && ab_reach(solid))';
+
 CREATE TYPE ab_summary_row AS (
     verdict text, best_loa ab_loa, samples bigint, coverage float8, confirmed float8, refuted float8, open float8,
     conflict float8, deviation float8, deviation_sd float8, shift float8[], shift_sd float8[],

@@ -6,6 +6,8 @@ use asbuilt_core::evidence::{Loa, SensorPreset};
 use asbuilt_core::num::words::Words;
 use asbuilt_core::verify::{EvidenceModel, IntensityNoise, ModelKind};
 
+use super::box_bytes;
+use super::solid::SolidArg;
 use crate::pg::{Message, RowField, SqlValue, TextInput, Varlena, sql_functions};
 
 const WORDS: Words = Words { ty: "ab_evidence_model", letter: b'M' };
@@ -97,6 +99,13 @@ pub fn parse(bytes: &[u8]) -> Result<EvidenceModel> {
 
 sql_functions! {
     fn ab_model_in(text: TextInput) { GivenParameters::from_text(&text.text())?.ret() }
+
+    /// The box of a solid, grown by what its evidence looks for around it.
+    fn ab_model_reach(solid: Option<SolidArg>, model: Option<ModelArg>) {
+        let Some(solid) = solid else { return Ok(SqlValue::Null) };
+        let reach = model_or_default(model.as_ref())?.reach();
+        Ok(SqlValue::Fixed(box_bytes(&solid.header()?.bounds.expanded(reach))))
+    }
 
     fn ab_model_out(model: ModelArg) { Ok(SqlValue::CString(model.given()?.to_text())) }
 

@@ -3,16 +3,13 @@
 use std::sync::Mutex;
 
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::verify::{
-    Evidence, EvidenceModel, Sights, Summary, SurveyObjects, Verdict, VerdictRule, Verifier,
-};
-use asbuilt_core::{Budget, Error, Interrupt, Result};
+use asbuilt_core::verify::{Evidence, EvidenceModel, Sights, Summary, SurveyObjects, Verdict, VerdictRule, Verifier};
+use asbuilt_core::{Error, Interrupt, Result};
 
 use super::evidence_model::{ModelArg, model_or_default, parse};
 use super::summary::{row, rule};
 use crate::pg::{
-    Account, Args, Backend, Query, ResultCell, ResultColumn, RowField, SqlValue, WorkerPool, for_each_batch,
-    sql_functions,
+    Account, Args, Query, ResultCell, ResultColumn, RowField, SqlValue, WorkerPool, for_each_batch, sql_functions,
 };
 
 /// Patches that are unpacked at once: about ten megabytes.
@@ -41,7 +38,7 @@ fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) ->
         optional: 1,
         expected: "a SELECT of an integer id, an ab_solid and perhaps an ab_evidence_model",
     };
-    let (mut out, mut expected) = (Objects::default(), 0);
+    let mut out = Objects::default();
     for_each_batch(call, query, 256, |mut rows| {
         out.rows.extend(rows.iter().map(|r| (r[0].clone(), r[1].bytes().is_some())));
         rows.retain(|r| r[1].bytes().is_some());
@@ -52,10 +49,8 @@ fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) ->
                 Ok((solid, own.unwrap_or(*model)))
             })
         })?;
-        // Before any is spread: a few solids can ask for more than there is.
-        expected += solids.iter().map(|(solid, m)| Samples::expected_memory(solid, m.spacing)).sum::<usize>();
         out.solids.extend(solids);
-        Backend.room(expected)
+        Ok(())
     })?;
     Ok(out)
 }

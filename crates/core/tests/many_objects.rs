@@ -4,7 +4,7 @@ use asbuilt_core::NEVER;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchSpec, Spacing};
 use asbuilt_core::verify::{
-    Collector, Evidence, EvidenceModel, IntensityNoise, Threads, Verdict, VerdictRule, SurveyObjects,
+    Collector, Evidence, EvidenceModel, IntensityNoise, SurveyObjects, Threads, Verdict, VerdictRule,
 };
 
 const STEP: f64 = 0.004;

@@ -5,8 +5,8 @@ use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::verify::{
-    Collector, Evidence, EvidenceModel, ModelKind, Question, SampleBelief, Summary, Threads, Verdict, VerdictRule,
-    SurveyObjects,
+    Collector, Evidence, EvidenceModel, ModelKind, Question, SampleBelief, Summary, SurveyObjects, Threads, Verdict,
+    VerdictRule,
 };
 use asbuilt_simulate::{Change, Scanner, Scene};
 use rayon::prelude::*;

@@ -9,16 +9,20 @@ use serde_json::Value;
 use super::load::parse_loa;
 use crate::database::connect::{Database, DatabaseArgs, explain};
 use crate::database::tables;
-use crate::output::{Format, Table, rounded, say, spinner};
+use crate::output::{Format, Table, rounded, spinner};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
 Verdicts: confirmed (built, within the tolerance), deviating (built, but displaced beyond it), absent (its space was
 seen empty), unobserved (too little was seen to say), conflicting (stations contradict each other).
 
-coverage is seen/all samples; confirmed + refuted + open = 1 over the seen ones; deviation is the median of the
-worst well-seen face along its outward normal and shift the rigid offset (x, y, z) with its standard deviation, both
+coverage is seen/all samples; confirmed + refuted + open = 1 over the seen ones; deviation is the median along its
+outward normal of the largest face that is certainly off, else of the largest, and shift the rigid offset (x, y, z) with its standard deviation, both
 in metres; '-' marks an axis that the seen faces do not determine (JSON: null; CSV: an empty cell, a column an axis).
+
+reason says why an object is unobserved: hidden_by_object (hidden_by: which), hidden_by_other (something that nobody
+drew), too_few beams, too_steep, not_looked_at, no_return, or shared_face (what was met may as well be another object's,
+drawn at the same place).
 
 CSV is guarded against spreadsheets: a text that begins with = + - @, a tab or a carriage return gets an apostrophe before
 it, numbers never; --format csv-exact writes everything as it is.")]
@@ -119,6 +123,13 @@ fn columns(format: Format) -> Vec<&'static str> {
     columns.extend(["loa", "verdict", "best_loa", "samples", "coverage", "confirmed", "refuted", "open", "conflict"]);
     columns.extend(["deviation", "deviation_sd"]);
     columns.extend(shift_columns(format));
+    columns.extend(face_columns(format));
+    columns.push("reason");
+    columns.extend(reason_columns(format));
+    columns.push("hidden_by");
+    if is_wide(format) {
+        columns.push("drawn_twice");
+    }
     columns
 }
 
@@ -137,7 +148,54 @@ fn cells(row: &Row, format: Format) -> Vec<Value> {
     out.extend((8..13).map(|i| number(i, 3)));
     out.extend([number(13, 4), number(14, 4)]);
     out.extend(shift(format, row.get(15), row.get(16)));
+    if is_wide(format) {
+        out.extend(numbers(format, row.get(17), 3, 6));
+        out.push(row.get::<_, Option<i32>>(18).map_or(Value::Null, Value::from));
+    }
+    out.push(text(19));
+    if is_wide(format) {
+        out.extend(numbers(format, row.get(20), 7, 3));
+    }
+    out.push(text(21));
+    if is_wide(format) {
+        out.push(text(22));
+    }
     out
+}
+
+/// The face that the deviation is of.
+fn face_columns(format: Format) -> &'static [&'static str] {
+    match format {
+        Format::Table => &[],
+        Format::Csv | Format::CsvExact => &["normal_x", "normal_y", "normal_z", "deviation_face"],
+        Format::Json => &["deviation_normal", "deviation_face"],
+    }
+}
+
+/// The shares of the reasons for which an object was not seen.
+fn reason_columns(format: Format) -> &'static [&'static str] {
+    match format {
+        Format::Table => &[],
+        Format::Csv | Format::CsvExact => &[
+            "hidden_by_object",
+            "hidden_by_other",
+            "too_few",
+            "too_steep",
+            "not_looked_at",
+            "no_return",
+            "shared_face",
+        ],
+        Format::Json => &["reason_shares"],
+    }
+}
+
+/// `count` numbers: a column each for spreadsheets, an array for programs.
+fn numbers(format: Format, values: Option<Vec<f64>>, count: usize, digits: i32) -> Vec<Value> {
+    let values = values.map(|v| v.into_iter().map(|x| rounded(Some(x), digits)).collect::<Vec<_>>());
+    match format {
+        Format::Json => vec![values.map_or(Value::Null, Value::from)],
+        _ => values.unwrap_or(vec![Value::Null; count]),
+    }
 }
 
 /// One text for people, a number a column for spreadsheets, arrays for programs.

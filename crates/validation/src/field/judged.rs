@@ -4,7 +4,7 @@ use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::verify::{Evidence, EvidenceModel, Question, Threads, Verdict, VerdictRule, SurveyObjects};
+use asbuilt_core::verify::{Evidence, EvidenceModel, Question, SurveyObjects, Threads, Verdict, VerdictRule};
 use asbuilt_fieldscan::Receiver;
 use rayon::prelude::*;
 

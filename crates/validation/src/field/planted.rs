@@ -9,7 +9,7 @@ use anyhow::{Context, Result};
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::verify::{EvidenceModel, Question, Summary, Threads, Verdict, VerdictRule, SurveyObjects};
+use asbuilt_core::verify::{EvidenceModel, Question, Summary, SurveyObjects, Threads, Verdict, VerdictRule};
 use asbuilt_read::ifc::read_within;
 use asbuilt_read::packing::pack;
 use asbuilt_read::{ReadOptions, read_scans};
@@ -32,6 +32,8 @@ const CLASS: Loa = Loa::Loa20;
 const BORDER: f64 = 0.25;
 /// What a surveyor knows of this survey: ranges, and a registration by closest points (rms 2 cm of single points).
 const SIGMA_RANGE_M: f64 = 0.005;
+/// What lies farther off the surface stands before it, metres.
+const CLUTTER_M: f64 = 0.06;
 const SIGMA_STATION_M: f64 = 0.005;
 
 /// One shift of one surface under some stations.
@@ -41,6 +43,8 @@ struct Shift {
     shift_m: f64,
     /// Of the unmoved model: verdict, and deviation along the normal into the room.
     before: Option<(f64, f64)>,
+    /// What 95 % of its places keep once it is moved, metres, as they were measured one by one.
+    kept_m: Option<f64>,
     after: Option<(f64, f64)>,
     said: Verdict,
     coverage: f64,
@@ -52,15 +56,19 @@ impl Shift {
         self.before.map(|b| b.0 - self.shift_m)
     }
 
-    /// Right verdicts; several at the border. `None` where the unmoved surface has no number.
+    /// Right verdicts, by USIBD's rule for what was scanned; several at the border. `None` where the unmoved surface has
+    /// no number.
     fn right(&self) -> Option<Vec<Verdict>> {
-        let off = self.expected()?.abs();
-        let bound = CLASS.upper();
-        Some(match () {
-            () if off > bound * (1.0 + BORDER) => vec![Verdict::Deviating],
-            () if off < bound * (1.0 - BORDER) => vec![Verdict::Confirmed],
-            () => vec![Verdict::Confirmed, Verdict::Deviating],
-        })
+        let (off, kept) = (self.expected()?.abs(), self.kept_m?);
+        let (sure, never) = (CLASS.upper() * (1.0 - BORDER), CLASS.upper() * (1.0 + BORDER));
+        let mut right = Vec::new();
+        if off <= never && kept <= never {
+            right.push(Verdict::Confirmed);
+        }
+        if off > sure || kept > sure {
+            right.push(Verdict::Deviating);
+        }
+        Some(right)
     }
 
     fn is_right(&self) -> Option<bool> {
@@ -137,7 +145,7 @@ impl Room {
     }
 
     /// Verdicts on all objects, one of them replaced, by some stations.
-    fn judged(&self, solids: &[Solid], stations: &[usize]) -> Result<Vec<(Summary, Option<Vec3>)>> {
+    fn judged(&self, solids: &[Solid], stations: &[usize]) -> Result<Vec<Judged>> {
         let model = EvidenceModel {
             question: Question { loa: CLASS, ..Question::default() },
             sigma_range: SIGMA_RANGE_M,
@@ -148,21 +156,48 @@ impl Room {
         let objects = SurveyObjects::new(objects, Threads::Pool, NEVER)?;
         let patches: Vec<&Vec<u8>> = stations.iter().flat_map(|s| &self.stations[*s].1).collect();
         let judge = |evidence: asbuilt_core::verify::Evidence| {
-            if std::env::var("DBG").is_ok() { eprintln!("{}\n", evidence.explain(&model.question, &VerdictRule::default(), NEVER)?); }
             let summary = evidence.summary(&model.question, &VerdictRule::default(), NEVER)?;
             let faces = evidence.faces(&model.question, NEVER)?;
             let face = faces.iter().find(|f| f.deviation.is_some() && f.deviation == summary.deviation);
-            Ok((summary, face.map(|f| f.normal)))
+            let normal = face.map(|f| f.normal);
+            let mut deviations = Vec::new();
+            evidence.for_each_sample(&model.question, NEVER, |_, sample_normal, belief| {
+                let is_of_face = normal.is_some_and(|n| n.dot(sample_normal) > 0.99) && belief.seen;
+                deviations.extend(belief.deviation.filter(|_| is_of_face).map(|d| d.0));
+            })?;
+            Ok(Judged { summary, normal, deviations })
         };
         objects.evidence(&patches, 32, Threads::Pool, NEVER)?.into_iter().map(judge).collect()
     }
 }
 
-/// The deviation along the normal into the room, if the face that it is of looks along it.
-fn into_room(judged: &(Summary, Option<Vec3>), normal: &Vec3) -> Option<(f64, f64)> {
-    let (value, sd) = judged.0.deviation?;
-    let along = judged.1?.dot(normal);
-    (along.abs() > 0.9).then(|| (value * along.signum(), sd))
+/// What was said of one object.
+struct Judged {
+    summary: Summary,
+    /// Of the face that the deviation is of.
+    normal: Option<Vec3>,
+    /// Of the samples of that face, metres.
+    deviations: Vec<f64>,
+}
+
+impl Judged {
+    /// The deviation along the normal into the room, if the face that it is of looks along it.
+    fn into_room(&self, normal: &Vec3) -> Option<(f64, f64)> {
+        let (value, sd) = self.summary.deviation?;
+        let along = self.normal?.dot(normal);
+        (along.abs() > 0.9).then(|| (value * along.signum(), sd))
+    }
+
+    /// What 95 % of the samples around the median keep once the face is moved by `shift_m` along the normal; what lies
+    /// farther off than [`CLUTTER_M`] stands before it.
+    fn kept(&self, normal: &Vec3, shift_m: f64) -> Option<f64> {
+        let along = self.normal?.dot(normal).signum();
+        let (median, _) = self.into_room(normal)?;
+        let near = self.deviations.iter().map(|d| d * along).filter(|d| (d - median).abs() <= CLUTTER_M);
+        let mut off: Vec<f64> = near.map(|d| (d - shift_m).abs()).collect();
+        off.sort_by(f64::total_cmp);
+        off.get(off.len() * 95 / 100).copied()
+    }
 }
 
 /// Moves the surfaces, judges, and writes a table; skipped loudly where the data is not there.
@@ -183,14 +218,15 @@ pub fn run(report: Option<&Path>) -> Result<()> {
                 let mut solids = room.solids.clone();
                 solids[number] = moved(&room.solids[number], &(normal * shift_m))?;
                 let after = room.judged(&solids, stations)?.swap_remove(number);
-                let (before, number_after) = (into_room(&before[number], &normal), into_room(&after, &normal));
-                let (said, coverage) = (after.0.verdict, after.0.coverage);
-                shifts.push(Shift { surface, stations: name, shift_m, before, after: number_after, said, coverage });
+                let kept_m = before[number].kept(&normal, shift_m);
+                let (before, number) = (before[number].into_room(&normal), after.into_room(&normal));
+                let Summary { verdict: said, coverage, .. } = after.summary;
+                shifts.push(Shift { surface, stations: name, shift_m, before, kept_m, after: number, said, coverage });
             }
             for off in ADDED_M {
                 let mut solids = room.solids.clone();
                 solids.push(moved(&room.solids[number], &(normal * off))?);
-                let verdict = room.judged(&solids, stations)?.pop().map(|j| j.0.verdict);
+                let verdict = room.judged(&solids, stations)?.pop().map(|j| j.summary.verdict);
                 added.push((surface, name, off, verdict.unwrap_or(Verdict::Unobserved)));
             }
         }

@@ -113,8 +113,9 @@ impl Right {
                 self.verdicts.push(Verdict::Deviating);
             }
         }
-        // Too little of it beside its empty place to recognise it.
-        if displaced && self.seen < RECOGNISED && self.empty >= MAY_SEE && self.worst_m > tolerance - border {
+        // Too little of it beside its empty place to recognise it, or none.
+        let keeps = self.worst_m <= tolerance - border;
+        if displaced && self.seen < RECOGNISED && self.empty >= MAY_SEE && !keeps {
             self.verdicts.push(Verdict::Absent);
         }
     }

@@ -39,9 +39,11 @@ impl PartIndex {
 }
 
 impl Target {
-    /// The distance from a return to the nearest triangle that its beam could have met, metres; `None` beyond `within`.
-    pub fn distance_to_met_part(&self, met_world: &Vec3, direction: &Vec3, within: f64) -> Option<f64> {
-        self.nearest(met_world, within, |t| self.two_sided || t.normal.dot(direction) < 0.0).map(|(d, _)| d)
+    /// The nearest triangle that a beam with this return could have met, how far away it is (metres) and its outward
+    /// normal; `None` beyond `within`.
+    pub fn met_part(&self, met_world: &Vec3, direction: &Vec3, within: f64) -> Option<(f64, Vec3)> {
+        let near = self.nearest(met_world, within, |t| self.two_sided || t.normal.dot(direction) < 0.0);
+        near.map(|(distance, triangle)| (distance, triangle.normal))
     }
 
     /// The distance from a place to the surface, metres; `None` beyond `within`.
@@ -80,7 +82,7 @@ mod tests {
     fn the_nearest_part_that_a_beam_could_meet() {
         let solid = Solid::cuboid([0.0; 3], [1.0, 0.4, 0.5]).unwrap();
         let target = Target::new(&solid, NEVER).unwrap();
-        let near = |p: [f64; 3], d: [f64; 3]| target.distance_to_met_part(&p.into(), &d.into(), 0.1);
+        let near = |p: [f64; 3], d: [f64; 3]| target.met_part(&p.into(), &d.into(), 0.1).map(|(d, _)| d);
         assert!((near([-0.02, 0.2, 0.2], [1.0, 0.0, 0.0]).unwrap() - 0.02).abs() < 1e-12);
         assert!((near([-0.03, -0.04, 0.2], [1.0, 1.0, 0.0]).unwrap() - 0.05).abs() < 1e-12);
         assert_eq!(near([-0.02, 0.2, 0.2], [-1.0, 0.0, 0.0]), None);

@@ -63,7 +63,7 @@ impl DrawnObject {
 
     /// Which points of a cloud without origin lie near which face.
     fn near_faces(&self, header: &PatchHeader, points: &[Vec3], interrupt: Interrupt) -> Result<Vec<(u32, NearFace)>> {
-        let around = self.bounds.expanded(self.model.band_behind().max(self.model.band_in_front()));
+        let around = self.bounds.expanded(self.model.reach());
         let mut near = Vec::new();
         for (i, point) in points.iter().enumerate() {
             if i % 64 == 0 {
@@ -80,7 +80,7 @@ impl DrawnObject {
     /// The face that a point may be the surface of.
     pub fn near_face(&self, point_world: &Vec3) -> Option<NearFace> {
         let (in_front, behind) = (self.model.band_in_front(), self.model.band_behind());
-        let face = self.target.near_face(point_world, in_front.max(behind));
+        let face = self.target.near_face(point_world, self.model.reach());
         face.filter(|face| (-behind..=in_front).contains(&face.height))
     }
 

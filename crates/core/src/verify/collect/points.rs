@@ -56,8 +56,7 @@ impl Collector {
 
     /// Whether a point is known well enough to say where in the search band it lies.
     fn tells(&self, point: &UncertainPoint, face: &NearFace) -> bool {
-        let reach = self.drawn.model.band_in_front().max(self.drawn.model.band_behind());
-        face.normal.dot(&(point.covariance * face.normal)).max(0.0).sqrt() <= MAX_SD * reach
+        face.normal.dot(&(point.covariance * face.normal)).max(0.0).sqrt() <= MAX_SD * self.drawn.model.reach()
     }
 
     /// Adds the points near a face that no other object explains.

@@ -89,9 +89,13 @@ impl SurveyObjects {
         others.map(|(i, _)| i as u32).next()
     }
 
-    /// The objects in groups of neighbours of some 20 million samples, whatever memory there is: what the one group's
-    /// objects are told of the other's, `around` tells.
+    /// The objects in batches of neighbours of some 20 million samples, whatever memory there is.
     pub fn batches(&self) -> Vec<Batch> {
+        self.batches_of(BATCH_SAMPLES)
+    }
+
+    /// The same with so many samples. What is found out of an object does not depend on its batch.
+    pub fn batches_of(&self, max_samples: f64) -> Vec<Batch> {
         let all = Aabb::around(&self.drawn.iter().map(|o| o.bounds.centre()).collect::<Vec<_>>());
         let cell = |o: &DrawnObject| {
             let scale = f64::from(1u32 << 20) / all.diagonal().max(1.0);
@@ -103,7 +107,7 @@ impl SurveyObjects {
         let (mut groups, mut samples) = (vec![Vec::new()], 0.0);
         for i in order {
             let more = self.expected_samples(i);
-            if samples > 0.0 && samples + more > BATCH_SAMPLES {
+            if samples > 0.0 && samples + more > max_samples {
                 groups.push(Vec::new());
                 samples = 0.0;
             }
@@ -174,7 +178,7 @@ impl SurveyObjects {
     fn owner(&self, met_world: &Vec3, direction: &Vec3, within: f64) -> Option<u32> {
         let place = Aabb::around(&[*met_world]).expanded(within);
         let distance =
-            |i: u32| self.drawn[i as usize].target.distance_to_met_part(met_world, direction, within).map(|d| (d, i));
+            |i: u32| self.drawn[i as usize].target.met_part(met_world, direction, within).map(|(d, _)| (d, i));
         self.near(place).filter_map(distance).min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, i)| i)
     }
 

@@ -1,12 +1,15 @@
 //! What each beam of a patch met where it would cross the solid, laid out for the samples around.
 
-use super::ownership::{HIDDEN_M, Ownership, ownership, ownership_of_part, three_sigma};
+use super::ownership::{HIDDEN_M, Ownership, RATHER, ownership, three_sigma};
 use super::parameters::EvidenceModel;
 use super::surface_sums::DEVIATION;
 use crate::geometry::{BLUNT_EDGE_COS, Vec3};
 use crate::scan::{AngularGrid, RangeImage};
 use crate::verify::aim::{AimedAt, BeamCrossing, Foot, foot};
 use crate::{Interrupt, Result, poll_now_and_then};
+
+/// Parts of an object whose normals differ by less (30°) may be taken for each other where it is displaced.
+const PARALLEL_COS: f64 = 0.866;
 
 /// What one beam met.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,27 +111,27 @@ impl Classifier<'_> {
         let deviation = f64::from(deviation) / DEVIATION;
         let slot = crossing.slot as usize;
         let others = self.aimed.others.map_or(f64::INFINITY, |others| others.deviation(slot));
-        let whose = match ownership(deviation, others, self.noise) {
-            Ownership::MayBeOwn => self.of_nearest_part(slot, deviation),
-            known => known,
-        };
-        match whose {
-            Ownership::MayBeOwn => Some(outcome),
+        match ownership(deviation, others, self.noise) {
+            Ownership::MayBeOwn => Some(outcome).filter(|_| !self.is_of_another_part(crossing, deviation)),
             Ownership::Shared | Ownership::Hides => None,
             Ownership::SeenThrough => Some(BeamOutcome::SeenThrough { weight: 1.0 }),
         }
     }
 
-    /// Whether a return `deviation` metres off belongs to another part of the object.
-    fn of_nearest_part(&self, slot: usize, deviation: f64) -> Ownership {
-        let least = self.noise.max(HIDDEN_M);
-        if deviation.abs() <= least {
-            return Ownership::MayBeOwn;
-        }
+    /// Whether a return `deviation` metres off the face belongs to another part of the object: it does not say how far
+    /// off the face is. A part that is parallel to the face may be the face itself, displaced.
+    fn is_of_another_part(&self, crossing: &BeamCrossing, deviation: f64) -> bool {
+        let slot = crossing.slot as usize;
         let direction = &self.view.directions[slot];
+        if deviation.abs() <= self.noise.max(HIDDEN_M) {
+            return false;
+        }
         let met_world = direction * self.view.ranges[slot] + self.view.header.origin;
-        let part = self.aimed.target.distance_to_met_part(&met_world, direction, 0.5 * deviation.abs());
-        part.map_or(Ownership::MayBeOwn, |part| ownership_of_part(deviation, part, self.noise))
+        let nearer = self.aimed.target.met_part(&met_world, direction, deviation.abs() / RATHER);
+        nearer.is_some_and(|(_, normal)| {
+            let along = normal.dot(&crossing.normal(self.aimed.target)).abs();
+            deviation > 0.0 || along < PARALLEL_COS
+        })
     }
 
     /// What the beam met, with the place of which it tells; `None` where it tells nothing.

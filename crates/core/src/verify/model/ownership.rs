@@ -8,7 +8,7 @@ const AS_DESIGNED_M: f64 = 0.01;
 /// What stands farther in front of a face than this, or than 3 σ, and is rather another object's hides it, metres.
 pub const HIDDEN_M: f64 = 0.005;
 /// It is another object's where it lies so many times nearer to that one's drawn surface.
-const RATHER: f64 = 2.0;
+pub const RATHER: f64 = 2.0;
 
 /// What another object makes of a surface that was met.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,18 +36,15 @@ pub fn as_designed(model: &EvidenceModel) -> f64 {
 /// Whose a surface is that was met `deviation` metres in front of the face, and `other` metres in front of another
 /// object's; `noise` is [`three_sigma`].
 pub fn ownership(deviation: f64, other: f64, noise: f64) -> Ownership {
-    let is_shared = (deviation - other).abs() <= noise.max(AS_DESIGNED_M);
-    if is_shared { Ownership::Shared } else { ownership_of_part(deviation, other.abs(), noise) }
-}
-
-/// The same for a surface that is `part` metres from another part of the object itself: nothing is shared.
-pub fn ownership_of_part(deviation: f64, part: f64, noise: f64) -> Ownership {
     let as_designed = noise.max(AS_DESIGNED_M);
-    if RATHER * part < deviation && deviation > noise.max(HIDDEN_M) {
+    if (deviation - other).abs() <= as_designed {
+        return Ownership::Shared;
+    }
+    if RATHER * other.abs() < deviation && deviation > noise.max(HIDDEN_M) {
         return Ownership::Hides;
     }
-    let behind = RATHER * part < -deviation && -deviation > as_designed;
-    if behind && part <= as_designed { Ownership::SeenThrough } else { Ownership::MayBeOwn }
+    let behind = RATHER * other.abs() < -deviation && -deviation > as_designed;
+    if behind && other.abs() <= as_designed { Ownership::SeenThrough } else { Ownership::MayBeOwn }
 }
 
 /// Whether a return that no beam was aimed with, `own` metres from where an object is drawn and `other` from where

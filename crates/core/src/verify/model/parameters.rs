@@ -144,6 +144,11 @@ impl EvidenceModel {
         (self.question.tolerance() + 0.05).clamp(0.1, JOIN_MARGIN_M)
     }
 
+    /// How far from the drawn surface anything is looked for, metres.
+    pub fn reach(&self) -> f64 {
+        self.band_behind().max(self.band_in_front())
+    }
+
     /// The ray model's parameters.
     pub fn ray_model(&self) -> RayModel {
         RayModel { kappa: self.kappa, lambda: self.lambda, c: self.c }

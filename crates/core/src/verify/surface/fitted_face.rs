@@ -12,6 +12,12 @@ use crate::{Interrupt, Result, poll, poll_now_and_then};
 /// Standard deviation of a median against that of a mean, for a normal sample: √(π/2).
 const MEDIAN_SD: f64 = 1.2533;
 
+/// Of a face that is not cut off by the ends of the search band at most this share lies as near to them as
+/// [`BORDER_M`].
+const MAX_AT_THE_END: f64 = 0.05;
+/// Width of what is near an end of the search band, metres.
+const BORDER_M: f64 = 0.015;
+
 /// Where one face is.
 #[derive(Debug, Clone)]
 pub struct FittedFace {
@@ -61,7 +67,9 @@ impl FittedFace {
             poll(interrupt)?;
             let shares = &observations.stations_of_face[face];
             let (with_surface, common) = (measured.with_surface, shares.common_variance(model));
+            let truncated = measured.is_truncated(model);
             let (location, random_sd) = measured.location(coherent);
+            let location = location.filter(|_| !truncated);
             let with_sd = |d: f64| (d, (random_sd.powi(2) + common).sqrt().hypot(model.second_order_sd(d)));
             Ok(Self {
                 normal: e.samples.normals[face],
@@ -100,6 +108,13 @@ impl Measured {
             }
         }
         Ok(out)
+    }
+
+    /// Whether the surface goes on where nothing is looked for: its median would be too small.
+    fn is_truncated(&self, model: &EvidenceModel) -> bool {
+        let (in_front, behind) = (model.band_in_front() - BORDER_M, model.band_behind() - BORDER_M);
+        let at_the_end = self.deviations.iter().filter(|d| **d > in_front || **d < -behind).count();
+        at_the_end as f64 > MAX_AT_THE_END * self.deviations.len() as f64
     }
 
     /// The median deviation, metres, and the standard deviation that is the face's own.
