@@ -12,6 +12,7 @@ mod near_face;
 mod nearest_part;
 mod target;
 mod triangle;
+mod triangle_index;
 mod unpacked;
 
 pub(super) use aimed_at::AimedAt;

@@ -2,41 +2,10 @@
 //!
 //! A beam aimed at the seat of a chair that passes its edge meets the leg: that says nothing of how far off the seat is.
 
-use std::sync::OnceLock;
-
-use rstar::primitives::{GeomWithData, Rectangle};
-use rstar::{AABB, RTree};
-
 use super::near_face::NearFace;
-use super::target::{CHUNK, Target};
+use super::target::Target;
 use super::triangle::TargetTriangle;
-use crate::geometry::{Aabb, Vec3};
-
-/// The boxes of all chunks of triangles, made when they are first asked for.
-#[derive(Debug, Default)]
-pub struct PartIndex {
-    tree: OnceLock<RTree<GeomWithData<Rectangle<[f64; 3]>, u32>>>,
-}
-
-impl PartIndex {
-    /// The triangles of all chunks whose boxes come within `within` metres of a place.
-    fn around<'a>(
-        &'a self,
-        triangles: &'a [TargetTriangle],
-        place_world: &Vec3,
-        within: f64,
-    ) -> impl Iterator<Item = &'a TargetTriangle> {
-        let boxed = |(i, chunk): (usize, &[TargetTriangle])| {
-            let bounds = Aabb::around(chunk.iter().flat_map(|t| &t.corners));
-            GeomWithData::new(Rectangle::from_corners(bounds.min, bounds.max), i as u32)
-        };
-        let all = || RTree::bulk_load(triangles.chunks(CHUNK).enumerate().map(boxed).collect());
-        let corner = |sign: f64| place_world.map(|c| c + sign * within).into();
-        let chunks =
-            self.tree.get_or_init(all).locate_in_envelope_intersecting(&AABB::from_corners(corner(-1.0), corner(1.0)));
-        chunks.flat_map(|chunk| triangles.chunks(CHUNK).nth(chunk.data as usize).unwrap_or_default())
-    }
-}
+use crate::geometry::Vec3;
 
 impl Target {
     /// The nearest triangle that a beam with this return could have met, how far away it is (metres) and its outward
@@ -65,7 +34,7 @@ impl Target {
         within: f64,
         counts: impl Fn(&TargetTriangle) -> bool,
     ) -> Option<(f64, &TargetTriangle)> {
-        let around = self.parts.around(&self.triangles, place_world, within).filter(|t| counts(t));
+        let around = self.index.around(&self.triangles, place_world, within).filter(|t| counts(t));
         let near = around.map(|t| (t.distance(place_world), t)).filter(|(d, _)| *d <= within);
         near.min_by(|a, b| a.0.total_cmp(&b.0))
     }

@@ -1,12 +1,12 @@
 //! A solid made ready for beams: its triangles, who their neighbours are, and balls to cull them by.
 
-use super::nearest_part::PartIndex;
 use super::triangle::TargetTriangle;
+use super::triangle_index::TriangleIndex;
 use crate::geometry::{Aabb, Adjacency, BLUNT_EDGE_COS, Closedness, Solid, Vec3};
 use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
 /// Triangles of one culling chunk.
-pub(super) const CHUNK: usize = 32;
+const CHUNK: usize = 32;
 /// Corners nearer to each other than this are one, metres.
 const SAME_CORNER_M: f64 = 1e-6;
 
@@ -20,7 +20,8 @@ pub struct Target {
     pub two_sided: bool,
     /// Some triangles count only where beams met them.
     pub has_optional: bool,
-    pub(super) parts: PartIndex,
+    /// The triangles by place.
+    pub(super) index: TriangleIndex,
 }
 
 #[derive(Debug)]
@@ -51,7 +52,7 @@ impl Target {
         }
         let has_optional = triangles.iter().any(|t| t.is_optional);
         let two_sided = solid.closedness() == Closedness::Open;
-        Ok(Self { triangles, chunks, two_sided, has_optional, parts: PartIndex::default() })
+        Ok(Self { triangles, chunks, two_sided, has_optional, index: TriangleIndex::default() })
     }
 
     /// The numbers of the triangles in each chunk whose ball (centre, radius; world metres) `concerns` lets through.

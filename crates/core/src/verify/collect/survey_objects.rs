@@ -7,12 +7,11 @@ use rstar::{AABB, RTree};
 
 use super::drawn_object::DrawnObject;
 use super::threads::Threads;
-use super::verifier::Verifier;
 use crate::geometry::{Aabb, Solid, Vec3};
 use crate::num::hilbert;
 use crate::verify::aim::Target;
 use crate::verify::evidence::{Evidence, Samples};
-use crate::verify::model::EvidenceModel;
+use crate::verify::model::{EvidenceModel, as_designed};
 use crate::verify::sights::{Looked, Owner, Sights};
 use crate::{Interrupt, Result, poll};
 
@@ -136,24 +135,6 @@ impl SurveyObjects {
         self.boxes.locate_in_envelope_intersecting(&AABB::from_corners(bounds.min, bounds.max)).map(|b| b.data)
     }
 
-    /// The evidence about every object from patches in memory, in the objects' order; so many are unpacked at once.
-    pub fn evidence<P: AsRef<[u8]> + Sync>(
-        &self,
-        patches: &[P],
-        at_once: usize,
-        threads: Threads,
-        interrupt: Interrupt,
-    ) -> Result<Vec<Evidence>> {
-        let mut out = Vec::new();
-        for batch in self.batches() {
-            let mut verifier = Verifier::new(self, &batch, threads, interrupt)?;
-            patches.chunks(at_once.max(1)).try_for_each(|some| verifier.absorb(some, None, interrupt))?;
-            out.extend(verifier.into_evidence());
-        }
-        out.sort_by_key(|(object, _)| *object);
-        Ok(out.into_iter().map(|(_, evidence)| evidence).collect())
-    }
-
     /// Looks a second time at an object that stayed unobserved, and notes in its evidence why; returns the object that
     /// hides most of what is hidden by one. `sights`: of all the survey's patches.
     pub fn second_look(
@@ -169,17 +150,28 @@ impl SurveyObjects {
             Some(owner) => Owner::Other(owner),
             None => Owner::Nobody,
         };
+        let is_anothers_too = |met_world: &Vec3, direction: &Vec3| {
+            let near = self.near_surfaces(met_world, direction, as_designed(&drawn.model));
+            near.into_iter().any(|(_, i)| self.body(i) != self.body(object))
+        };
         let Target { two_sided, has_optional, .. } = drawn.target;
-        let looked = Looked { owner: &owner, two_sided, has_optional, model: &drawn.model };
+        let looked =
+            Looked { owner: &owner, is_anothers_too: &is_anothers_too, two_sided, has_optional, model: &drawn.model };
         sights.second_look(evidence, &looked, interrupt)
     }
 
     /// The object drawn nearest to what a beam met, within `within` metres.
     fn owner(&self, met_world: &Vec3, direction: &Vec3, within: f64) -> Option<u32> {
+        let near = self.near_surfaces(met_world, direction, within).into_iter();
+        near.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, i)| i)
+    }
+
+    /// The objects drawn within `within` metres of what a beam met, and how far away each is.
+    fn near_surfaces(&self, met_world: &Vec3, direction: &Vec3, within: f64) -> Vec<(f64, u32)> {
         let place = Aabb::around(&[*met_world]).expanded(within);
         let distance =
             |i: u32| self.drawn[i as usize].target.met_part(met_world, direction, within).map(|(d, _)| (d, i));
-        self.near(place).filter_map(distance).min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1))).map(|(_, i)| i)
+        self.near(place).filter_map(distance).collect()
     }
 
     fn find_bodies(&mut self, threads: Threads, interrupt: Interrupt) -> Result<()> {

@@ -99,3 +99,23 @@ impl<'a> Verifier<'a> {
         self.collectors.into_iter().map(|(i, collector)| (i, collector.into_evidence()))
     }
 }
+
+impl SurveyObjects {
+    /// The evidence about every object from patches in memory, in the objects' order; so many are unpacked at once.
+    pub fn evidence<P: AsRef<[u8]> + Sync>(
+        &self,
+        patches: &[P],
+        at_once: usize,
+        threads: Threads,
+        interrupt: Interrupt,
+    ) -> Result<Vec<Evidence>> {
+        let mut out = Vec::new();
+        for batch in self.batches() {
+            let mut verifier = Verifier::new(self, &batch, threads, interrupt)?;
+            patches.chunks(at_once.max(1)).try_for_each(|some| verifier.absorb(some, None, interrupt))?;
+            out.extend(verifier.into_evidence());
+        }
+        out.sort_by_key(|(object, _)| *object);
+        Ok(out.into_iter().map(|(_, evidence)| evidence).collect())
+    }
+}

@@ -20,6 +20,8 @@ pub enum Owner {
 pub struct Looked<'a> {
     /// Whose surface is drawn at a place, as a beam in this direction meets it. World metres.
     pub owner: &'a dyn Fn(&Vec3, &Vec3) -> Owner,
+    /// Whether the surface of another object is drawn as near to a place as a survey can tell.
+    pub is_anothers_too: &'a dyn Fn(&Vec3, &Vec3) -> bool,
     /// Its faces are seen from both sides.
     pub two_sided: bool,
     /// Some of its parts are panes or leaves.
@@ -84,9 +86,9 @@ impl Looked<'_> {
         // In front of the sample's plane, on the station's side.
         let height = (met - sight).dot(normal) * towards.signum();
         let as_designed = as_designed(self.model);
-        let owner = || (self.owner)(&(met + map.origin_world), &met.normalize());
+        let (met_world, beam_direction) = (met + map.origin_world, met.normalize());
         if height > as_designed && met.norm() < range {
-            match owner() {
+            match (self.owner)(&met_world, &beam_direction) {
                 Owner::Own => {}
                 Owner::Other(object) => return Kept::Hidden { by: Some(object), range },
                 Owner::Nobody => return Kept::Hidden { by: None, range },
@@ -94,7 +96,7 @@ impl Looked<'_> {
         }
         match () {
             () if cos < self.model.max_incidence.cos() => Kept::Steep,
-            () if height.abs() <= as_designed && matches!(owner(), Owner::Other(_)) => Kept::Shared,
+            () if height.abs() <= as_designed && (self.is_anothers_too)(&met_world, &beam_direction) => Kept::Shared,
             // What passes a pane, or where a leaf is drawn, says nothing of it.
             () if height < -as_designed && self.has_optional => Kept::NothingReturned,
             () => Kept::Reached,
