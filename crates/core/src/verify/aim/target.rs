@@ -55,6 +55,19 @@ impl Target {
         Ok(Self { triangles, chunks, two_sided, has_optional, index: TriangleIndex::default() })
     }
 
+    /// Whether a place on a triangle (world metres) is so near to the outline of the object, as a beam in this direction
+    /// sees it, that the beam may pass beside.
+    pub fn is_near_outline(&self, triangle: u32, place_world: &Vec3, direction: &Vec3, within: f64) -> bool {
+        let triangle = &self.triangles[triangle as usize];
+        (0..3).any(|k| {
+            let ends = match triangle.across[k] {
+                TargetTriangle::NONE => true,
+                next => !self.two_sided && self.triangles[next as usize].normal.dot(direction) >= 0.0,
+            };
+            ends && (triangle.on_edge(k, place_world) - place_world).norm() < within
+        })
+    }
+
     /// The numbers of the triangles in each chunk whose ball (centre, radius; world metres) `concerns` lets through.
     pub fn chunks(&self, concerns: impl Fn(&Vec3, f64) -> bool) -> impl Iterator<Item = std::ops::Range<usize>> {
         let run = |i: usize| i * CHUNK..((i + 1) * CHUNK).min(self.triangles.len());
@@ -75,7 +88,8 @@ fn fill(solid: &Solid, triangles: &mut Vec<TargetTriangle>, interrupt: Interrupt
         if let Some(normal) = n.try_normalize(1e-12) {
             *place = triangles.len() as u32;
             let is_optional = solid.is_transparent(t) || solid.is_movable(t);
-            triangles.push(TargetTriangle { corners, normal, neighbours: [TargetTriangle::NONE; 3], is_optional });
+            let none = [TargetTriangle::NONE; 3];
+            triangles.push(TargetTriangle { corners, normal, neighbours: none, across: none, is_optional });
         }
     }
     Ok(place)
@@ -85,9 +99,6 @@ fn fill(solid: &Solid, triangles: &mut Vec<TargetTriangle>, interrupt: Interrupt
 fn link(t: usize, across: impl Iterator<Item = u32>, triangles: &mut [TargetTriangle]) {
     for u in across {
         let (here, there) = (&triangles[t], &triangles[u as usize]);
-        if here.normal.dot(&there.normal) < BLUNT_EDGE_COS || here.is_optional != there.is_optional {
-            continue;
-        }
         let shared = |c: &Vec3| there.corners.iter().any(|d| (c - d).norm_squared() <= SAME_CORNER_M * SAME_CORNER_M);
         let [a, b, c] = [0, 1, 2].map(|k| shared(&here.corners[k]));
         let edge = match [a, b, c] {
@@ -96,7 +107,11 @@ fn link(t: usize, across: impl Iterator<Item = u32>, triangles: &mut [TargetTria
             [true, _, true] => 2,
             _ => continue,
         };
-        triangles[t].neighbours[edge] = u;
+        let goes_on = here.normal.dot(&there.normal) >= BLUNT_EDGE_COS && here.is_optional == there.is_optional;
+        triangles[t].across[edge] = u;
+        if goes_on {
+            triangles[t].neighbours[edge] = u;
+        }
     }
 }
 

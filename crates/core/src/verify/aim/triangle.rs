@@ -11,6 +11,8 @@ pub struct TargetTriangle {
     pub normal: Vec3,
     /// Across the edge from each corner to the next; [`TargetTriangle::NONE`] where the surface ends or turns.
     pub neighbours: [u32; 3],
+    /// The same whatever the edge; [`TargetTriangle::NONE`] where the solid has no triangle there.
+    pub across: [u32; 3],
     /// Of a pane or a leaf: beams may pass its place although it was built.
     pub is_optional: bool,
 }
@@ -73,7 +75,7 @@ mod tests {
             let [a, b, c] = corners;
             let n = (b - a).cross(&(c - a));
             prop_assume!(n.norm() > 0.05);
-            let t = TargetTriangle { corners, normal: n.normalize(), neighbours: [TargetTriangle::NONE; 3], is_optional: false };
+            let t = TargetTriangle { corners, normal: n.normalize(), neighbours: [TargetTriangle::NONE; 3], across: [TargetTriangle::NONE; 3], is_optional: false };
             let foot = t.on_plane(&point);
             prop_assert!((foot - a).dot(&t.normal).abs() < 1e-9);
             prop_assert!((point - foot).cross(&t.normal).norm() < 1e-9);

@@ -107,8 +107,14 @@ impl Classifier<'_> {
     /// What is left of an outcome once every other surface drawn near the return is known: other objects' and the
     /// object's own.
     fn of_this_place(&self, crossing: &BeamCrossing, outcome: BeamOutcome) -> Option<BeamOutcome> {
-        let BeamOutcome::Surface { deviation, .. } = outcome else { return Some(outcome) };
-        let deviation = f64::from(deviation) / DEVIATION;
+        let met = match outcome {
+            BeamOutcome::Surface { deviation, .. } => Some(f64::from(deviation) / DEVIATION),
+            BeamOutcome::SeenThrough { .. } => None,
+        };
+        if met.is_none_or(|deviation| deviation < -self.noise.max(HIDDEN_M)) && self.may_pass_beside(crossing) {
+            return None;
+        }
+        let Some(deviation) = met else { return Some(outcome) };
         let slot = crossing.slot as usize;
         let others = self.aimed.others.map_or(f64::INFINITY, |others| others.deviation(slot));
         match ownership(deviation, others, self.noise) {
@@ -116,6 +122,14 @@ impl Classifier<'_> {
             Ownership::Shared | Ownership::Hides => None,
             Ownership::SeenThrough => Some(BeamOutcome::SeenThrough { weight: 1.0 }),
         }
+    }
+
+    /// Whether the object, built where it is drawn, may be missed by the beam: then what it met behind says nothing.
+    fn may_pass_beside(&self, crossing: &BeamCrossing) -> bool {
+        let direction = &self.view.directions[crossing.slot as usize];
+        let aimed_world = direction * crossing.distance + self.view.header.origin;
+        let within = self.noise.max(HIDDEN_M);
+        self.aimed.target.is_near_outline(crossing.triangle, &aimed_world, direction, within)
     }
 
     /// Whether a return `deviation` metres off the face belongs to another part of the object: it does not say how far
