@@ -111,7 +111,7 @@ impl Collector {
                 poll(interrupt)?;
             }
             let Some(met_world) = met_beside(view, slot, crossings, &around) else { continue };
-            let spacing = view.step() * view.ranges[slot];
+            let spacing = view.step_at(slot) * view.ranges[slot];
             let position_local = met_world - samples.reference;
             let point = LocalPoint { position_local, covariance: Matrix3::zeros(), spacing };
             index.gather(samples, &point, (band, band), |block, k, touch| {
@@ -120,7 +120,7 @@ impl Collector {
                     M::add_point(&towards(touch, &scanner_local), &model, &mut station.block(block, len)[k]);
                 }
             });
-            station.step = station.step.max(view.step() as f32);
+            station.step = station.step.max(view.step_at(slot) as f32);
         }
         stations.retain(|s| !s.blocks.is_empty());
         self.evidence.check_size()
