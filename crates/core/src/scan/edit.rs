@@ -1,12 +1,9 @@
-//! Patches made from patches: filtered, thinned, moved, joined, cut anew. Beams that are kept keep their coordinates to
-//! half a quantum; beams that are dropped leave nothing behind.
-
-use std::collections::HashMap;
+//! Patches made from patches: filtered, moved, joined, cut anew. Beams that are kept keep their coordinates to half a
+//! quantum; beams that are dropped leave nothing behind.
 
 use super::beam::MAX_BEAMS;
 use super::beams::Beams;
 use super::header::PatchHeader;
-use super::local_step::steps_of;
 use super::origins::Origins;
 use super::patch::Patch;
 use crate::error::{Error, Limited, Result};
@@ -42,26 +39,6 @@ impl Patch {
         Self::filtered(bytes, |_, c, i| c.beams[i].returned && (min..=max).contains(&c.beams[i].offset.norm()))
     }
 
-    /// The first beam of every cube of side `spacing` (metres, lattice of the reference system) that a return lies in,
-    /// and every beam without return.
-    pub fn thinned(bytes: &[u8], spacing: f64) -> Result<Option<Self>> {
-        if !(1e-6..=1e6).contains(&spacing) {
-            return Err(Error::argument("the spacing", "from 0.000001 to 1000000 m", spacing));
-        }
-        let (header, content) = Self::content_of(bytes)?;
-        let thinned = Thinned::of(&header, &content, spacing);
-        if thinned.kept.len() == content.len() {
-            return Self::pack(&header.setting(), &content).map(Some);
-        }
-        let mut kept = content.select(&thinned.kept);
-        if header.origins() != Origins::One {
-            return Self::pack_found(&header.frame(), kept).map(Some);
-        }
-        let mean = (thinned.stand_for.iter().sum::<f64>() / kept.len() as f64).sqrt();
-        kept.steps = Some(steps_of(&kept.beams, &thinned.stand_for, mean));
-        Self::pack(&header.setting(), &kept).map(Some)
-    }
-
     /// The patch seen through a pose; its covariance is not carried.
     pub fn moved(bytes: &[u8], pose: &UncertainPose) -> Result<Self> {
         let (header, mut content) = Self::content_of(bytes)?;
@@ -84,31 +61,6 @@ impl Patch {
     pub fn retiled(patches: &[&[u8]], interrupt: Interrupt) -> Result<Vec<Self>> {
         let Some((header, content)) = joined(patches, MAX_RETILED, interrupt)? else { return Ok(Vec::new()) };
         content.packed(&header.frame(), interrupt)
-    }
-}
-
-/// The beams that are left of a patch where every cube keeps the first return in it.
-struct Thinned {
-    kept: Vec<u32>,
-    /// The solid angle of each and of those dropped in its favour, steradians, by their steps.
-    stand_for: Vec<f64>,
-}
-
-impl Thinned {
-    fn of(header: &PatchHeader, content: &Beams, side: f64) -> Self {
-        let mut out = Self { kept: Vec::new(), stand_for: Vec::new() };
-        let mut taken: HashMap<[i64; 3], usize> = HashMap::new();
-        for (i, beam) in content.beams.iter().enumerate() {
-            let cube: [i64; 3] = (content.end(i) + header.origin).map(|x| (x / side).floor() as i64).into();
-            let step = content.steps.as_ref().map_or(header.spacing.angle(), |steps| steps[i].into());
-            let place = if beam.returned { *taken.entry(cube).or_insert(out.kept.len()) } else { out.kept.len() };
-            if place == out.kept.len() {
-                out.kept.push(i as u32);
-                out.stand_for.push(0.0);
-            }
-            out.stand_for[place] += step * step;
-        }
-        out
     }
 }
 
@@ -148,11 +100,9 @@ fn joined(patches: &[&[u8]], most: usize, interrupt: Interrupt) -> Result<Option
 mod tests {
     use super::*;
     use crate::NEVER;
-    use crate::scan::{Beam, PatchBuilder, PatchFrame, Return};
+    use crate::scan::Beam;
     use nalgebra::UnitQuaternion;
     use proptest::prelude::*;
-    use std::collections::BTreeMap;
-    use std::f64::consts::TAU;
 
     fn patch() -> Vec<u8> {
         let beam = |i: i32| {
@@ -216,111 +166,6 @@ mod tests {
         let whole = Patch::retiled(&parts, NEVER).unwrap();
         assert_eq!(whole.iter().map(|p| p.header().beams).sum::<u32>(), 1600);
         assert!(Patch::retiled(&[], NEVER).unwrap().is_empty());
-    }
-
-    /// A room of 9 x 4 x 3 m, scanned in equal steps of azimuth and elevation, as patches.
-    fn scanned_room(station: Vec3, step: f64) -> Vec<Vec<u8>> {
-        let (columns, rows) = ((TAU / step) as usize, (2.4 / step) as usize);
-        let directions = (0..columns * rows).map(|i| {
-            let (azimuth, elevation) = ((i / rows) as f64 * step, (i % rows) as f64 * step - 1.0);
-            Vec3::new(elevation.cos() * azimuth.cos(), elevation.cos() * azimuth.sin(), elevation.sin())
-        });
-        let size = Vec3::new(9.0, 4.0, 3.0);
-        let wall = |d: &Vec3, k: usize| (if d[k] > 0.0 { size[k] - station[k] } else { -station[k] }) / d[k];
-        let range = |d: &Vec3| (0..3).map(|k| wall(d, k)).filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min);
-        let beams = directions.map(|d| Beam { offset: d * range(&d), returned: true }).collect();
-        let frame = PatchFrame { origins: Origins::One, station: 1, origin: station, quantum: Patch::QUANTUM_M };
-        let patches = Beams::of(beams).packed(&frame, NEVER).unwrap();
-        patches.iter().map(Patch::to_bytes).collect()
-    }
-
-    /// What `ab_scan_agg` makes of the returns of patches.
-    fn made_anew(patches: &[Vec<u8>]) -> Vec<Vec<u8>> {
-        let mut builder = PatchBuilder::default();
-        for (header, content) in patches.iter().map(|p| Patch::content_of(p).unwrap()) {
-            for i in (0..content.len()).filter(|i| content.beams[*i].returned) {
-                let (point, origin) = (header.origin + content.end(i), Some(header.origin));
-                builder.push(header.station, &Return { point, origin, intensity: None, colour: None }, NEVER).unwrap();
-            }
-        }
-        builder.patches(NEVER).unwrap().iter().map(Patch::to_bytes).collect()
-    }
-
-    /// The step at every beam, by the place of its return in quanta.
-    fn steps(patches: &[Vec<u8>]) -> BTreeMap<[i64; 3], f64> {
-        let mut out = BTreeMap::new();
-        for (header, content) in patches.iter().map(|p| Patch::content_of(p).unwrap()) {
-            for (i, beam) in content.beams.iter().enumerate() {
-                let step = content.steps.as_ref().map_or(header.spacing.angle(), |steps| steps[i].into());
-                out.insert(beam.offset.map(|x| (x / header.quantum).round() as i64).into(), step);
-            }
-        }
-        out
-    }
-
-    /// Steps of the same beams agree within 5 %, beam by beam in the median, and in what all cover.
-    fn assert_same_steps(edited: &[Vec<u8>], anew: &[Vec<u8>], what: &str) {
-        let (edited, anew) = (steps(edited), steps(anew));
-        assert!(edited.keys().eq(anew.keys()), "{what}: other beams");
-        let mut ratios: Vec<f64> = edited.values().zip(anew.values()).map(|(a, b)| a / b).collect();
-        ratios.sort_by(f64::total_cmp);
-        let median = ratios[ratios.len() / 2];
-        let area = |s: &BTreeMap<[i64; 3], f64>| s.values().map(|s| s * s).sum::<f64>();
-        let ratio = (area(&edited) / area(&anew)).sqrt();
-        assert!((median - 1.0).abs() < 0.05 && (ratio - 1.0).abs() < 0.05, "{what}: {median} {ratio}");
-    }
-
-    fn edited(patches: &[Vec<u8>], edit: impl Fn(&[u8]) -> Option<Patch>) -> Vec<Vec<u8>> {
-        patches.iter().filter_map(|p| edit(p)).map(|p| p.to_bytes()).collect()
-    }
-
-    fn retiled(patches: &[Vec<u8>]) -> Vec<Vec<u8>> {
-        let all: Vec<&[u8]> = patches.iter().map(|p| &**p).collect();
-        Patch::retiled(&all, NEVER).unwrap().iter().map(Patch::to_bytes).collect()
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig::with_cases(12))]
-
-        /// Whatever changes the density finds the steps anew: they are those of patches made of the same beams.
-        #[test]
-        fn edited_patches_have_the_step_of_their_beams(x in 0.6..8.4f64, y in 0.6..3.4f64, step in 8e-3..16e-3f64, side in 0.04..0.3f64) {
-            let fresh = scanned_room(Vec3::new(x, y, 1.6), step);
-            prop_assert!(fresh.iter().all(|p| Patch::content_of(p).unwrap().1.steps.is_none()), "a grid has one step");
-            assert_same_steps(&retiled(&fresh), &fresh, "cut anew");
-            assert_same_steps(&made_anew(&fresh), &fresh, "made anew");
-            let thin = edited(&fresh, |p| Patch::thinned(p, side).unwrap());
-            let anew = made_anew(&thin);
-            assert_same_steps(&thin, &anew, "thinned");
-            assert_same_steps(&retiled(&thin), &anew, "thinned and cut anew");
-            let half = Aabb::new([0.0; 3], [x, 4.0, 3.0]).unwrap();
-            let filtered = edited(&thin, |p| Patch::within(p, &half).unwrap());
-            assert_same_steps(&filtered, &made_anew(&filtered), "thinned and filtered");
-            // Every other beam of a patch makes a sparser one; together they are as dense as before.
-            let half = |p: &[u8], first: u32| {
-                let (header, content) = Patch::content_of(p).unwrap();
-                let own: Vec<u32> = (first..header.beams).step_by(2).collect();
-                Some(Patch::pack_found(&header.frame(), content.select(&own)).unwrap())
-            };
-            let (even, odd) = (edited(&fresh, |p| half(p, 0)), edited(&fresh, |p| half(p, 1)));
-            let joined: Vec<Vec<u8>> = even.iter().zip(&odd).map(|(a, b)| Patch::union(&[a, b], NEVER).unwrap().unwrap().to_bytes()).collect();
-            assert_same_steps(&joined, &fresh, "joined");
-        }
-
-        /// What is filtered by place keeps its density, and its steps to the bit.
-        #[test]
-        fn a_filter_keeps_the_steps(x in 0.6..8.4f64, side in 0.04..0.3f64, cut in 1.0..8.0f64) {
-            let thin = edited(&scanned_room(Vec3::new(x, 1.7, 1.6), 0.012), |p| Patch::thinned(p, side).unwrap());
-            let before = steps(&thin);
-            let bounds = Aabb::new([0.0; 3], [cut, 4.0, 3.0]).unwrap();
-            for kept in [edited(&thin, |p| Patch::within(p, &bounds).unwrap()), edited(&thin, |p| Patch::between(p, 1.0, cut).unwrap())] {
-                prop_assert!(steps(&kept).iter().all(|(place, step)| before[place] == *step));
-                for (header, content) in kept.iter().map(|p| Patch::content_of(p).unwrap()) {
-                    let widest = content.steps.map_or(header.spacing.angle(), |s| s.into_iter().fold(0.0, f32::max).into());
-                    prop_assert_eq!(header.spacing.angle(), widest);
-                }
-            }
-        }
     }
 
     proptest! {

@@ -29,7 +29,8 @@
 //! * [`platform`]: patches of a moving platform as patches of one origin;
 //! * [`range_image`]: the decoded tile as a range image;
 //! * [`patch_builder`]: patches from rows;
-//! * [`edit`]: patches from patches.
+//! * [`thin`]: patches thinned by cubes;
+//! * [`edit`]: patches from patches otherwise.
 
 mod angular_grid;
 mod beam;
@@ -52,6 +53,7 @@ mod planes;
 mod platform;
 mod range_image;
 mod spacing;
+mod thin;
 mod tile;
 
 pub(crate) use angular_grid::AngularGrid;
