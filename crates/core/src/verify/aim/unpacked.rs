@@ -36,14 +36,7 @@ impl Unpacked {
         let unpack = if with_intensities { Patch::content_of } else { Patch::beams_of };
         let (header, content) = unpack(patch)?;
         let beams = match header.origins() {
-            Origins::One => {
-                let intensities = content.intensity.as_deref();
-                UnpackedBeams::FromOne(Box::new(RangeImage::with_intensities(
-                    header.clone(),
-                    &content.beams,
-                    intensities,
-                )))
-            }
+            Origins::One => UnpackedBeams::FromOne(Box::new(RangeImage::of(header.clone(), &content))),
             Origins::Each => {
                 let by_place = by_origin(&header, &content)?;
                 UnpackedBeams::FromMany(
