@@ -18,14 +18,15 @@ const VERDICTS: usize = 32;
 
 /// Objects as the query returned them; without a solid there is nothing to verify.
 #[derive(Default)]
-struct Objects {
+pub struct Objects {
     /// Id, and whether it has a solid.
-    rows: Vec<(ResultCell, bool)>,
+    pub rows: Vec<(ResultCell, bool)>,
     /// Those that have one, in order.
-    solids: Vec<(Solid, EvidenceModel)>,
+    pub solids: Vec<(Solid, EvidenceModel)>,
 }
 
-fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) -> Result<Objects> {
+/// Reads the query of objects; those without a model of their own get `model`.
+pub fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) -> Result<Objects> {
     let query = Query {
         what: "the query of objects",
         text,
@@ -56,9 +57,16 @@ fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) ->
     Ok(out)
 }
 
-fn absorb_scans(call: &Args, text: &str, verifier: &mut Verifier, crew: &WorkerPool) -> Result<()> {
+/// Adds what the patches of a query tell; `what` names it in messages.
+pub fn absorb_scans(
+    call: &Args,
+    what: &'static str,
+    text: &str,
+    verifier: &mut Verifier,
+    crew: &WorkerPool,
+) -> Result<()> {
     let query = Query {
-        what: "the query of scans",
+        what,
         text,
         columns: &[ResultColumn::Varlena("ab_scan")],
         optional: 0,
@@ -96,7 +104,7 @@ sql_functions! {
         let crew = WorkerPool::gather();
         let objects = self::objects(call, &objects_query, &model, &crew)?;
         let mut verifier = crew.run(|interrupt| Verifier::new(&objects.solids, crew.threads(), interrupt))?;
-        absorb_scans(call, &scans_query, &mut verifier, &crew)?;
+        absorb_scans(call, "the query of scans", &scans_query, &mut verifier, &crew)?;
         let mut evidence = verifier.into_evidence();
         for rows in objects.rows.chunks(VERDICTS) {
             let due: Vec<Evidence> = evidence.drain(..rows.iter().filter(|r| r.1).count()).collect();

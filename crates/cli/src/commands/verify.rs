@@ -66,13 +66,13 @@ JOIN   @ext.ab_verify_table(
 ORDER  BY o.id";
 
 /// What is verified, as a template for PostgreSQL's `format`.
-const OBJECTS: &str = "
+pub const OBJECTS: &str = "
 SELECT id, solid, @ext.ab_evidence_model(loa => coalesce(%L::@ext.ab_loa, loa), model => %L::text, spacing => %L::float8,
        sigma_range => %L::float8, sigma_angle => %L::float8, sigma_station => %L::float8, confidence => %L::float8)
 FROM   @building_object WHERE id = ANY(%L::int8[])";
 
 /// Objects that are verified together: neighbours know each other, and their evidence is in memory together.
-const BATCHES: &str = "
+pub const BATCHES: &str = "
 SELECT pg_catalog.array_agg(id ORDER BY id) FROM (
   SELECT id, pg_catalog.floor(pg_catalog.sum(least(coalesce(@ext.ab_area(solid), 0::float8) / ($1::float8 * $1::float8), 5e6::float8))
                               OVER (ORDER BY id) / 20e6::float8) AS batch FROM @building_object) x
@@ -119,7 +119,7 @@ fn judged(args: &VerifyArgs, db: &mut Database) -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-fn warn_of_batches(count: usize) {
+pub fn warn_of_batches(count: usize) {
     say!(
         "asbuilt: {count} batches of some 20 million samples; objects of different batches do not know each other as \
         neighbours (a wider --spacing makes fewer)"
@@ -161,7 +161,7 @@ fn cells(row: &Row, format: Format) -> Vec<Value> {
 }
 
 /// One text for people, a number a column for spreadsheets, arrays for programs.
-fn shift_columns(format: Format) -> &'static [&'static str] {
+pub fn shift_columns(format: Format) -> &'static [&'static str] {
     match format {
         Format::Table => &["shift"],
         Format::Csv | Format::CsvExact => &["shift_x", "shift_y", "shift_z", "shift_sd_x", "shift_sd_y", "shift_sd_z"],
@@ -170,10 +170,10 @@ fn shift_columns(format: Format) -> &'static [&'static str] {
 }
 
 /// Numbers along x, y and z; `None` where the seen faces do not determine one, or any.
-type NumbersByAxis = Option<Vec<Option<f64>>>;
+pub type NumbersByAxis = Option<Vec<Option<f64>>>;
 
 /// The rigid offset and its standard deviation under these columns, to a tenth of a millimetre.
-fn shift(format: Format, offset: NumbersByAxis, sd: NumbersByAxis) -> Vec<Value> {
+pub fn shift(format: Format, offset: NumbersByAxis, sd: NumbersByAxis) -> Vec<Value> {
     let rounded = |axes: &NumbersByAxis| axes.as_ref().map(|a| a.iter().map(|v| rounded(*v, 4)).collect::<Vec<_>>());
     match format {
         Format::Table => {

@@ -1,6 +1,6 @@
 //! What the beams of many stations tell of a solid, and the verdict that follows.
 //!
-//! Five rooms after the stages of the method, and the models that they share. A room uses only those before it:
+//! Six rooms after the stages of the method, and the models that they share. A room uses only those before it:
 //!
 //! * [`aim`]: where the beams of a patch would meet a solid that was made ready (`Target`);
 //! * [`model`]: the parameters ([`EvidenceModel`]), and by kind of model how beams become integer sums and what these
@@ -8,7 +8,8 @@
 //! * [`evidence`]: what is stored, [`Samples`] on the solid and the sums of each [`StationEvidence`] ([`Evidence`]);
 //! * [`collect`]: adding patches to the evidence of one solid ([`Collector`]) or of many ([`Verifier`]);
 //! * [`surface`]: from evidence to `Observations` of all seen samples, and the `FittedObject` that was built;
-//! * [`verdict`]: from there to a `Judgement` at one tolerance, and to a [`Summary`].
+//! * [`verdict`]: from there to a `Judgement` at one tolerance, and to a [`Summary`];
+//! * [`change`]: the `FittedObject`s of two epochs, compared ([`ObjectChange`]).
 //!
 //! So the data goes: solid + model → `Target` → [`Evidence`] → `Observations` → `FittedObject` → `Judgement`.
 //!
@@ -17,12 +18,14 @@
 //! towards the scanner.
 
 mod aim;
+mod change;
 mod collect;
 mod evidence;
 mod model;
 mod surface;
 mod verdict;
 
+pub use change::{Displacement, ObjectChange, ObjectChangeClass, PairedSamples};
 pub use collect::{Collector, Threads, Verifier};
 pub use evidence::{Evidence, EvidenceHeader, Samples, StationEvidence, StationOrigin};
 pub use model::{EvidenceModel, IntensityNoise, ModelKind, Question};
