@@ -886,6 +886,52 @@ COMMENT ON FUNCTION ab_verify_table(text, text, ab_evidence_model, boolean, floa
     'Evidence and verdict of every object of one query (id, solid, perhaps its own ab_evidence_model) from the '
     'patches of another; every patch is unpacked once for all objects. Uses as many threads as a parallel plan would '
     'have processes (max_parallel_workers_per_gather + 1)';
+CREATE TYPE ab_change_class AS ENUM ('unchanged', 'appeared', 'gone', 'moved', 'partly', 'not_comparable');
+COMMENT ON TYPE ab_change_class IS
+    'What became of an object between two epochs: it stands as before (or in neither of them), it appeared, it is '
+    'gone, it stands elsewhere than before, part of it appeared or is gone, or too little of it was seen in both';
+
+-- What became of objects.
+CREATE TYPE ab_object_change_row AS (
+    id bigint, change ab_change_class, seen_in_both float8, shift float8[], shift_sd float8[], shift_chance float8,
+    samples bigint, in_both float8, only_in_old float8, only_in_new float8, in_neither float8);
+COMMENT ON TYPE ab_object_change_row IS 'What became of an object between two epochs, and the numbers that say so';
+COMMENT ON COLUMN ab_object_change_row.id IS 'The object''s id, from the query of objects';
+COMMENT ON COLUMN ab_object_change_row.change IS 'What became of it; NULL without a solid';
+COMMENT ON COLUMN ab_object_change_row.seen_in_both IS
+    'Share of the samples on its surface that both epochs saw, 0 to 1; NULL without a solid';
+COMMENT ON COLUMN ab_object_change_row.shift IS
+    'Offset of the object in the new epoch against the old one: three elements along the world''s x, y, z, metres, + '
+    'along the axis; an element is NULL where the faces that both epochs saw do not determine that axis to 6 degrees; '
+    'NULL where none does, and where the object appeared, is gone or is not comparable';
+COMMENT ON COLUMN ab_object_change_row.shift_sd IS
+    'Standard deviation of each element of shift, the registrations of both epochs included, metres; NULL where that '
+    'is';
+COMMENT ON COLUMN ab_object_change_row.shift_chance IS
+    'Probability of so long a shift by chance if the object did not move, 0 to 1; NULL where shift is';
+COMMENT ON COLUMN ab_object_change_row.samples IS 'Number of samples on the surface of the solid; NULL without a solid';
+COMMENT ON COLUMN ab_object_change_row.in_both IS
+    'Share of the samples that both epochs saw that show the object in both, 0 to 1; NULL where there are none. With '
+    'the next three less than 1: what hides it, or is not sure, says nothing';
+COMMENT ON COLUMN ab_object_change_row.only_in_old IS
+    'Share of them that show it in the old epoch, and its place empty in the new one, 0 to 1; NULL where there are '
+    'none';
+COMMENT ON COLUMN ab_object_change_row.only_in_new IS
+    'Share of them that show its place empty in the old epoch, and it in the new one, 0 to 1; NULL where there are '
+    'none';
+COMMENT ON COLUMN ab_object_change_row.in_neither IS
+    'Share of them that show its place empty in both, 0 to 1; NULL where there are none';
+
+CREATE FUNCTION ab_change_table(
+    objects text, old_scans text, new_scans text, model ab_evidence_model DEFAULT NULL,
+    new_model ab_evidence_model DEFAULT NULL) RETURNS SETOF ab_object_change_row
+    AS 'MODULE_PATHNAME', 'ab_change_table' LANGUAGE c STABLE PARALLEL RESTRICTED COST 200000000 ROWS 1000;
+COMMENT ON FUNCTION ab_change_table(text, text, text, ab_evidence_model, ab_evidence_model) IS
+    'What became of every object of one query (id, solid, perhaps its own ab_evidence_model) between the patches of a '
+    'second and of a third one, where it is drawn; objects know each other as in ab_verify_table. new_model: how the '
+    'new epoch was surveyed (standard deviations, incidence, beams without return), for all objects; NULL for as the '
+    'old one. Threads as in ab_verify_table';
+
 CREATE TYPE ab_station_row AS (station bigint, origin float8[], seen bigint, added bigint);
 COMMENT ON TYPE ab_station_row IS 'What a station contributed to evidence';
 COMMENT ON COLUMN ab_station_row.station IS 'Number of the station';

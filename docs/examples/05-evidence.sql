@@ -97,3 +97,16 @@ SELECT o.name, v.verdict, v.best_loa, round(v.coverage::numeric, 2) AS coverage,
 FROM   ab_verify_table('SELECT id, solid FROM building_object', 'SELECT patch FROM scan',
                        ab_evidence_model('LOA30', spacing => 0.05)) v
 JOIN   building_object o USING (id) ORDER BY id;
+
+-- ab_change_table
+-- Later the column stands, and the wall was moved by 12 mm; it still hides the store.
+CREATE TEMP TABLE later_scan AS
+SELECT unnest(ab_scan_agg(x, y + x * a * 0.005, 1 + x * b * 0.005, ARRAY[0, y, 1], station)) AS patch
+FROM  (VALUES (1, -0.5), (2, 1)) s(station, y), generate_series(-70, 70) a, generate_series(-39, 39) b,
+       LATERAL (SELECT CASE WHEN y + 3 * a * 0.005 BETWEEN 0.5 AND 0.7 THEN 3 ELSE 4.996 END AS x) met
+GROUP  BY station;
+SELECT o.name, c.change, round(c.seen_in_both::numeric, 2) AS seen_in_both, round(c.shift[1]::numeric, 4) AS along_x,
+       round(c.shift_sd[1]::numeric, 4) AS sd
+FROM   ab_change_table('SELECT id, solid FROM building_object', 'SELECT patch FROM scan',
+                       'SELECT patch FROM later_scan', ab_evidence_model('LOA30', spacing => 0.05)) c
+JOIN   building_object o USING (id) ORDER BY id;

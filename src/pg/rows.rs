@@ -26,6 +26,8 @@ pub enum RowField {
     Bytes(Vec<u8>),
     /// The enum `ab_loa`.
     Loa(Loa),
+    /// A value of another enum, by its label.
+    Enum(&'static str),
     /// `float8[]` of three numbers.
     Vector([f64; 3]),
     /// `float8[]` of three numbers along x, y and z, NULL where one is not known.
@@ -55,6 +57,7 @@ impl RowField {
             Self::Text(s) => varlena(&to_server(s)),
             Self::Bytes(b) => varlena(b),
             Self::Loa(l) => pg_sys::Datum::from(enum_value(column_type, l.name())),
+            Self::Enum(label) => pg_sys::Datum::from(enum_value(column_type, label)),
             Self::Vector(v) => array::of_f64(v, &[3]),
             Self::Axes(v) => array::of_axes(v),
             Self::Array(v, dims) => array::of_f64(v, dims),
@@ -74,7 +77,7 @@ fn enum_value(enum_type: pg_sys::Oid, label: &str) -> pg_sys::Oid {
             enum_type.into(),
             label.as_ptr().into(),
         );
-        assert!(!tuple.is_null(), "ab_loa has lost its value {label:?}");
+        assert!(!tuple.is_null(), "an enum has lost its value {label:?}");
         let oid = (*pg_sys::GETSTRUCT(tuple).cast::<pg_sys::FormData_pg_enum>()).oid;
         pg_sys::ReleaseSysCache(tuple);
         oid

@@ -6,6 +6,7 @@ mod aabb;
 mod accuracy;
 mod belief;
 mod change;
+mod change_table;
 mod evidence;
 mod evidence_model;
 mod grid;
@@ -47,6 +48,7 @@ pub const DECLARED: &[&[Declared]] = &[
     accuracy::DECLARED,
     belief::DECLARED,
     change::DECLARED,
+    change_table::DECLARED,
     evidence::DECLARED,
     evidence_model::DECLARED,
     grid::DECLARED,

@@ -64,7 +64,7 @@ pub fn summary_fields(s: &Summary) -> Vec<RowField> {
 
 /// Offset and standard deviations, three elements each: one is NULL where its axis is not determined, and both arrays
 /// are where none is.
-fn shift_fields(shift: Option<&Shift>) -> [RowField; 2] {
+pub fn shift_fields(shift: Option<&Shift>) -> [RowField; 2] {
     let Some(t) = shift.filter(|t| (0..3).any(|i| t.determines(i))) else {
         return [RowField::Null, RowField::Null];
     };

@@ -19,14 +19,15 @@ const VERDICTS: usize = 32;
 
 /// Objects as the query returned them; without a solid there is nothing to verify.
 #[derive(Default)]
-struct Objects {
+pub struct Objects {
     /// Id, and whether it has a solid.
-    rows: Vec<(ResultCell, bool)>,
+    pub rows: Vec<(ResultCell, bool)>,
     /// Those that have one, in order.
-    solids: Vec<(Solid, EvidenceModel)>,
+    pub solids: Vec<(Solid, EvidenceModel)>,
 }
 
-fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) -> Result<Objects> {
+/// Reads the query of objects; those without a model of their own get `model`.
+pub fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) -> Result<Objects> {
     let query = Query {
         what: "the query of objects",
         text,
@@ -55,15 +56,17 @@ fn objects(call: &Args, text: &str, model: &EvidenceModel, crew: &WorkerPool) ->
     Ok(out)
 }
 
-fn absorb_scans(
+/// Adds what the patches of a query tell; `what` names it in messages.
+pub fn absorb_scans(
     call: &Args,
+    what: &'static str,
     text: &str,
     verifier: &mut Verifier,
     mut sights: Option<&mut Sights>,
     crew: &WorkerPool,
 ) -> Result<()> {
     let query = Query {
-        what: "the query of scans",
+        what,
         text,
         columns: &[ResultColumn::Varlena("ab_scan")],
         optional: 0,
@@ -117,7 +120,7 @@ fn judged(
     let mut sights = Sights::default();
     for (round, batch) in objects.batches().iter().enumerate() {
         let mut verifier = crew.run(|interrupt| Verifier::new(objects, batch, crew.threads(), interrupt))?;
-        absorb_scans(call, scans, &mut verifier, (round == 0).then_some(&mut sights), crew)?;
+        absorb_scans(call, "the query of scans", scans, &mut verifier, (round == 0).then_some(&mut sights), crew)?;
         let judge = Judge { objects, sights: &sights, rule, keep };
         let mut evidence = verifier.into_evidence();
         loop {

@@ -9,7 +9,7 @@ const BEGIN: &str = "<!-- Thresholds: made from the code by crates/core/tests/th
 const END: &str = "<!-- End of the thresholds -->\n";
 
 /// Where beams and geometry are judged: files and folders, in the order of the method.
-const PLACES: [&str; 16] = [
+const PLACES: [&str; 18] = [
     "geometry/face.rs",
     "geometry/weld.rs",
     "evidence",
@@ -19,9 +19,11 @@ const PLACES: [&str; 16] = [
     "verify/aim",
     "verify/model",
     "verify/evidence/samples.rs",
+    "verify/sights",
     "verify/collect",
     "verify/surface",
     "verify/verdict",
+    "verify/change",
     "voxel/carve",
     "voxel/model",
     "voxel/occupancy/filter.rs",

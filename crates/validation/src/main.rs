@@ -52,11 +52,14 @@ struct Args {
     /// Real buildings under the second scanner instead of the standard set
     #[arg(long)]
     field: bool,
-    /// Surfaces of the model of a real scan moved by known amounts, instead of the standard set
+    /// Real buildings in two epochs under the second scanner: what changed, instead of the standard set
     #[arg(long, conflicts_with = "field")]
+    change: bool,
+    /// Surfaces of the model of a real scan moved by known amounts, instead of the standard set
+    #[arg(long, conflicts_with_all = ["field", "change"])]
     planted: bool,
-    /// With --field: a line for every object-case, the wrong ones first
-    #[arg(long, value_name = "FILE.csv", requires = "field")]
+    /// With --field or --change: a line for every object-case, the wrong ones first
+    #[arg(long, value_name = "FILE.csv")]
     cases: Option<PathBuf>,
     /// Write the report here, pictures and the numbers of meyer2022 beside it
     #[arg(long, value_name = "FILE.md")]
@@ -71,9 +74,10 @@ fn main() -> Result<()> {
     let report = args.report.as_deref();
     match () {
         () if args.planted => field::planted::run(report),
-        () if args.field => {
+        () if args.field || args.change => {
             let (only, cases) = (&args.scene[..], args.cases.as_deref());
-            field::run(&field::Task { only, short: args.short, seed: args.seed, cases, report })
+            let task = field::Task { only, short: args.short, seed: args.seed, cases, report };
+            if args.change { field::epochs::run(&task) } else { field::run(&task) }
         }
         () => standard(&args),
     }

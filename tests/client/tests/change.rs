@@ -16,6 +16,10 @@ fn number(of: &Value, key: &str) -> f64 {
     of[key].as_f64().unwrap_or_else(|| panic!("no {key} in {of}"))
 }
 
+fn number_at(of: &Value, i: usize) -> f64 {
+    of[i].as_f64().unwrap_or_else(|| panic!("no element {i} in {of}"))
+}
+
 fn object<'a>(report: &'a Value, name: &str) -> &'a Value {
     let objects = report["objects"].as_array().unwrap();
     objects.iter().find(|o| o["name"] == name).unwrap_or_else(|| panic!("no object {name}"))
@@ -59,6 +63,22 @@ fn simulated_pavilion() {
     let report = change(&db, &["--from", "1", "--to", "2", "--voxel", "0.02", "--export", text(&ply)]);
     // Its foot and head touch floor and roof, which stay.
     assert!(share_of_seen(object(&report, "column C"), "disappeared") > 0.85, "{}", object(&report, "column C"));
+    // What became of each, as demo/changes.json says.
+    let class = |name: &str| object(&report, name)["change"].as_str().unwrap_or_else(|| panic!("{name}")).to_owned();
+    assert_eq!(class("column C"), "gone");
+    for (name, moved) in [("partition", [Some(0.012), None]), ("column B", [Some(0.03), Some(-0.01)])] {
+        let o = object(&report, name);
+        assert_eq!(class(name), "moved", "{o}");
+        for (axis, by) in moved.into_iter().enumerate() {
+            let Some(by) = by else { continue };
+            let (shift, sd) = (number_at(&o["shift"], axis), number_at(&o["shift_sd"], axis));
+            assert!((shift - by).abs() < 3.0 * sd && sd < 0.004, "{o}");
+        }
+    }
+    assert_eq!(class("wall east"), "moved", "{}", object(&report, "wall east"));
+    for same in ["floor", "roof", "wall south", "wall north", "wall west", "screen wall", "column A"] {
+        assert_eq!(class(same), "unchanged", "{}", object(&report, same));
+    }
     for same in ["floor", "roof", "wall south", "wall north", "wall west", "screen wall", "column A", "partition"] {
         let o = object(&report, same);
         assert!(share_of_seen(o, "new") + share_of_seen(o, "disappeared") < 0.02, "{o}");
@@ -85,6 +105,7 @@ fn simulated_pavilion() {
         assert!(said.contains(&total) || name == "laz" && said.contains("beams"), "{name}: {total}? {said}");
         std::fs::remove_file(file).unwrap();
     }
+    assert!(change(&db, &["--model", "--to", "2", "--voxel", "0.05"])["objects"][0].get("change").is_none());
     // Against the model: the column that was never built is absent, the pallet is not drawn.
     let against = change(&db, &["--model", "--to", "2", "--voxel", "0.02"]);
     assert!(number(object(&against, "column C"), "disappeared") > 1000.0);
@@ -97,6 +118,12 @@ fn simulated_pavilion() {
         db.command(&["change", "--from", "1", "--to", "2", "--voxel", "0.05", "--format", "csv"]).output().unwrap();
     let csv = String::from_utf8(csv.stdout).unwrap();
     assert!(csv.starts_with("name,global_id,confirmed,new,disappeared,unknown,ambiguous,total,confirmed_m3"), "{csv}");
+    assert!(
+        csv.lines()
+            .next()
+            .unwrap()
+            .ends_with("total_m3,change,seen_in_both,shift_x,shift_y,shift_z,shift_sd_x,shift_sd_y,shift_sd_z")
+    );
     assert_eq!(csv.lines().count(), 14);
 }
 

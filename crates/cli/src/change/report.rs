@@ -4,6 +4,7 @@ use anyhow::Result;
 use asbuilt_core::voxel::ChangeComponent;
 use serde_json::{Map, Value, json};
 
+use super::classes::ObjectClass;
 use super::tally::{ChangeReport, Counted};
 use crate::output::{Format, Table, rounded};
 
@@ -15,9 +16,9 @@ impl ChangeReport {
     pub fn print(&self, format: Format) -> Result<()> {
         match format {
             Format::Json => println!("{}", serde_json::to_string_pretty(&self.json())?),
-            Format::Csv | Format::CsvExact => self.objects_table(true).print(format)?,
+            Format::Csv | Format::CsvExact => self.objects_table(format).print(format)?,
             Format::Table => {
-                self.objects_table(false).print(format)?;
+                self.objects_table(format).print(format)?;
                 println!();
                 self.components_table().print_of(format, "component", "components")?;
                 println!();
@@ -33,6 +34,9 @@ impl ChangeReport {
             o.insert("name".into(), object.name.clone().into());
             o.insert("global_id".into(), object.global_id.clone().into());
             o.extend(self.counts(&object.voxels));
+            if self.has_classes {
+                o.extend(ObjectClass::json(object.class.as_ref()));
+            }
             Value::Object(o)
         };
         let place = |v: &[f64]| v.iter().map(|x| rounded(Some(*x), 6)).collect::<Vec<_>>();
@@ -49,22 +53,27 @@ impl ChangeReport {
                "components": self.components.iter().map(component).collect::<Vec<_>>(), "total": total})
     }
 
-    fn objects_table(&self, wide: bool) -> Table {
-        let mut columns = vec!["name"];
-        columns.extend(wide.then_some("global_id"));
-        columns.extend(CLASSES);
-        columns.push("total");
+    /// For people the class comes first; in CSV after the columns that programs know.
+    fn objects_table(&self, format: Format) -> Table {
+        let wide = format != Format::Table;
         let volumes: Vec<String> = CLASSES.iter().chain(&["total"]).map(|c| format!("{c}_m3")).collect();
-        let shown: Vec<&str> = volumes.iter().map(String::as_str).collect();
-        let shown = if wide { &shown[..] } else { &shown[1..3] };
-        columns.extend(shown);
+        let mut counted: Vec<&str> = [&CLASSES[..], &["total"]].concat();
+        counted.extend(volumes[if wide { 0..6 } else { 1..3 }].iter().map(String::as_str));
+        let classes = if self.has_classes { ObjectClass::columns(format) } else { Vec::new() };
+        let columns = match wide {
+            true => [vec!["name", "global_id"], counted.clone(), classes].concat(),
+            false => [vec!["name"], classes, counted.clone()].concat(),
+        };
         let mut table = Table::new(&columns);
         for object in &self.objects {
             let all = self.counts(&object.voxels);
-            let mut cells = vec![Value::from(object.name.clone())];
-            cells.extend(wide.then(|| Value::from(object.global_id.clone())));
-            cells.extend(columns[cells.len()..].iter().map(|&c| all[c].clone()));
-            table.push(cells);
+            let name = Value::from(object.name.clone());
+            let counts: Vec<Value> = counted.iter().map(|&c| all[c].clone()).collect();
+            let class = if self.has_classes { ObjectClass::cells(object.class.as_ref(), format) } else { Vec::new() };
+            table.push(match wide {
+                true => [vec![name, object.global_id.clone().into()], counts, class].concat(),
+                false => [vec![name], class, counts].concat(),
+            });
         }
         table
     }

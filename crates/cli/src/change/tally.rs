@@ -1,5 +1,7 @@
 //! Voxels of objects, of components and in total, counted from the changes of the tiles.
 
+use std::collections::HashMap;
+
 use anyhow::Result;
 use asbuilt_core::geometry::{Aabb, Solid};
 use asbuilt_core::voxel::{ChangeClass, ChangeComponent, FillRule, Grid, VoxelChange, VoxelSet};
@@ -7,6 +9,7 @@ use asbuilt_core::{AtOnce, NEVER};
 use postgres::{Row, Transaction};
 use rayon::prelude::*;
 
+use super::classes::ObjectClass;
 use super::tiles::ChangeTile;
 use crate::database::connect::explain;
 use crate::database::names::Names;
@@ -22,13 +25,18 @@ pub struct ChangeReport {
     pub total: [u64; 5],
     /// Cubic metres.
     pub voxel_volume: f64,
+    /// Whether objects have classes: between epochs, not against the drawn model.
+    pub has_classes: bool,
 }
 
 /// An object with its voxels by class.
 pub struct Counted {
+    pub id: i64,
     pub name: String,
     pub global_id: String,
     pub voxels: [u64; 5],
+    /// What became of it; `None` where the drawn model is compared.
+    pub class: Option<ObjectClass>,
     solid: Option<Solid>,
 }
 
@@ -49,7 +57,8 @@ impl ChangeReport {
         tolerance: f64,
         parts: &Parts,
     ) -> Result<Self> {
-        let mut out = Self { objects: objects(tx, names)?, components: Vec::new(), total: [0; 5], voxel_volume: 0.0 };
+        let objects = objects(tx, names)?;
+        let mut out = Self { objects, components: Vec::new(), total: [0; 5], voxel_volume: 0.0, has_classes: false };
         let mut whole: Option<VoxelChange> = None;
         for tile in tiles {
             let change = tile.change()?;
@@ -66,6 +75,12 @@ impl ChangeReport {
             out.find_components(&whole, parts)?;
         }
         Ok(out)
+    }
+
+    /// Says of each object what became of it, by its id.
+    pub fn classify(&mut self, mut classes: HashMap<i64, ObjectClass>) {
+        self.objects.iter_mut().for_each(|o| o.class = classes.remove(&o.id));
+        self.has_classes = true;
     }
 
     /// Components need the whole change at once; where that takes too much memory, the objects are still reported.
@@ -99,7 +114,7 @@ impl Counted {
     fn of(row: &Row) -> Result<Self> {
         let bytes: Option<&[u8]> = row.get(2);
         let solid = bytes.map(|b| Solid::from_bytes(b, NEVER)).transpose()?;
-        Ok(Self { name: row.get(0), global_id: row.get(1), voxels: [0; 5], solid })
+        Ok(Self { id: row.get(3), name: row.get(0), global_id: row.get(1), voxels: [0; 5], class: None, solid })
     }
 
     /// Adds the object's voxels in a tile.
@@ -115,7 +130,7 @@ impl Counted {
 }
 
 fn objects(tx: &mut Transaction, names: &Names) -> Result<Vec<Counted>> {
-    let sql = names.sql("SELECT name, global_id, @ext._ab_solid_send(solid) FROM @building_object ORDER BY id");
+    let sql = names.sql("SELECT name, global_id, @ext._ab_solid_send(solid), id FROM @building_object ORDER BY id");
     tx.query(&sql, &[]).map_err(explain)?.iter().map(Counted::of).collect()
 }
 

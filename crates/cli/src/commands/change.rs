@@ -6,6 +6,7 @@ use anyhow::{Result, bail};
 use asbuilt_core::voxel::Grid;
 use postgres::IsolationLevel;
 
+use crate::change::classes::{SurveyArgs, classes};
 use crate::change::export;
 use crate::change::tally::{ChangeReport, Parts};
 use crate::change::tiles::{Comparison, Old, compare};
@@ -19,6 +20,11 @@ Space is cut into voxels. Of an epoch a voxel is occupied (as many returns as th
 unknown. Between epochs it is confirmed (occupied in both), new (empty, then occupied), disappeared (occupied, then
 empty), unknown (occupied in one, not seen in the other) or ambiguous (passed in one, with too few returns nearby).
 Against the model, new means built but not drawn, disappeared means drawn but seen empty.
+
+Of every object it is said what became of it between two epochs (change): unchanged (as before, or in neither), appeared,
+gone, moved (by more than chance and registration; shift says how far, new against old), partly (part of it appeared or
+is gone), or not_comparable (too little was seen in both). That comes from where it is drawn, sample by sample, of which
+both epochs saw the share seen_in_both; neighbours are known. What nobody drew is a component.
 
 A change counts only if the other epoch has nothing occupied within the tolerance. Voxels of an object are those that
 it touches, or that lie within the tolerance of these. Components are what is new or gone as connected things, with
@@ -84,6 +90,8 @@ pub struct ChangeArgs {
     #[arg(long, value_enum, default_value_t)]
     format: Format,
     #[command(flatten)]
+    survey: SurveyArgs,
+    #[command(flatten)]
     database: DatabaseArgs,
 }
 
@@ -99,7 +107,11 @@ pub fn run(args: &ChangeArgs) -> Result<()> {
     let one_view = db.client.build_transaction().read_only(true).isolation_level(IsolationLevel::RepeatableRead);
     let mut tx = one_view.start().map_err(explain)?;
     let tiles = compare(&mut tx, &db.names, &comparison)?;
-    let report = ChangeReport::of(&mut tx, &db.names, &tiles, comparison.tolerance(), &Parts { least, gap: args.gap })?;
+    let mut report =
+        ChangeReport::of(&mut tx, &db.names, &tiles, comparison.tolerance(), &Parts { least, gap: args.gap })?;
+    if let Some(from) = args.from {
+        report.classify(classes(&mut tx, &db.names, &args.survey, [from, args.to])?);
+    }
     tx.rollback().map_err(explain)?;
     if let Some(path) = &args.export {
         say!("{}: {} voxels", path.display(), count(export::write(&tiles, report.total.iter().sum(), path)?));

@@ -73,7 +73,7 @@ LEFT   JOIN @building_object t ON t.id = s.drawn_twice::int8
 ORDER  BY o.id";
 
 /// What is verified, as a template for PostgreSQL's `format`.
-const OBJECTS: &str = "
+pub const OBJECTS: &str = "
 SELECT id, solid, @ext.ab_evidence_model(loa => coalesce(%L::@ext.ab_loa, loa), model => %L::text, spacing => %L::float8,
        sigma_range => %L::float8, sigma_angle => %L::float8, sigma_station => %L::float8, confidence => %L::float8)
 FROM   @building_object";
@@ -199,7 +199,7 @@ fn numbers(format: Format, values: Option<Vec<f64>>, count: usize, digits: i32) 
 }
 
 /// One text for people, a number a column for spreadsheets, arrays for programs.
-fn shift_columns(format: Format) -> &'static [&'static str] {
+pub fn shift_columns(format: Format) -> &'static [&'static str] {
     match format {
         Format::Table => &["shift"],
         Format::Csv | Format::CsvExact => &["shift_x", "shift_y", "shift_z", "shift_sd_x", "shift_sd_y", "shift_sd_z"],
@@ -208,10 +208,10 @@ fn shift_columns(format: Format) -> &'static [&'static str] {
 }
 
 /// Numbers along x, y and z; `None` where the seen faces do not determine one, or any.
-type NumbersByAxis = Option<Vec<Option<f64>>>;
+pub type NumbersByAxis = Option<Vec<Option<f64>>>;
 
 /// The rigid offset and its standard deviation under these columns, to a tenth of a millimetre.
-fn shift(format: Format, offset: NumbersByAxis, sd: NumbersByAxis) -> Vec<Value> {
+pub fn shift(format: Format, offset: NumbersByAxis, sd: NumbersByAxis) -> Vec<Value> {
     let rounded = |axes: &NumbersByAxis| axes.as_ref().map(|a| a.iter().map(|v| rounded(*v, 4)).collect::<Vec<_>>());
     match format {
         Format::Table => {

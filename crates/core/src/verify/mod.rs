@@ -9,7 +9,8 @@
 //! * [`sights`]: where all beams ended ([`Sights`]), for a second look at what stayed unobserved;
 //! * [`collect`]: adding patches to the evidence of one solid ([`Collector`]) or of many ([`Verifier`]);
 //! * [`surface`]: from evidence to `Observations` of all seen samples, and the `FittedObject` that was built;
-//! * [`verdict`]: from there to a `Judgement` at one tolerance, and to a [`Summary`].
+//! * [`verdict`]: from there to a `Judgement` at one tolerance, and to a [`Summary`];
+//! * [`change`]: the `FittedObject`s of two epochs, compared ([`ObjectChange`]).
 //!
 //! So the data goes: solid + model → `Target` → [`Evidence`] → `Observations` → `FittedObject` → `Judgement`.
 //!
@@ -18,6 +19,7 @@
 //! towards the scanner.
 
 mod aim;
+mod change;
 mod collect;
 mod evidence;
 mod model;
@@ -25,6 +27,7 @@ mod sights;
 mod surface;
 mod verdict;
 
+pub use change::{Displacement, ObjectChange, ObjectChangeClass, PairedSamples};
 pub use collect::{Batch, Collector, SurveyObjects, Threads, Verifier};
 pub use evidence::{Evidence, EvidenceHeader, Samples, StationEvidence, StationOrigin, Unseen, Why};
 pub use model::{EvidenceModel, IntensityNoise, ModelKind, Question};

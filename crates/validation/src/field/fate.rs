@@ -53,6 +53,22 @@ pub struct Wave {
     phase: [f64; 2],
 }
 
+/// What of an object was built: on one side of a plane.
+#[derive(Debug, Clone, Copy)]
+pub struct Cut {
+    /// A point of the plane, world metres.
+    pub through: Vec3,
+    /// Unit normal, away from what was built.
+    pub normal: Vec3,
+}
+
+impl Cut {
+    /// How far a place lies on the side that was not built, metres; negative on the other.
+    pub fn beyond(&self, p: &Vec3) -> f64 {
+        (p - self.through).dot(&self.normal)
+    }
+}
+
 /// An object's fate.
 #[derive(Debug, Clone)]
 pub struct Fate {
@@ -66,9 +82,16 @@ pub struct Fate {
     pub wave: Option<Wave>,
     /// Leaves that stand open, by their number.
     pub turns: Vec<Option<Turn>>,
+    /// Where building stopped.
+    pub cut: Option<Cut>,
 }
 
 impl Fate {
+    /// Whether the point of the object drawn at `p` was not built.
+    pub fn is_missing(&self, p: &Vec3) -> bool {
+        self.deed == Deed::Missing || self.cut.is_some_and(|cut| cut.beyond(p) > 0.0)
+    }
+
     /// Where the point of the object drawn at `p` was built; world metres.
     pub fn place(&self, p: &Vec3, leaf: Option<usize>) -> Vec3 {
         let turn = leaf.and_then(|n| self.turns.get(n).copied().flatten());
@@ -97,6 +120,11 @@ pub fn fates(layout: &Layout, rng: &mut ChaCha8Rng) -> Vec<Fate> {
 
 fn fate(object: &Object, rng: &mut ChaCha8Rng) -> Fate {
     let deed = deed(object, rng);
+    fate_of(deed, object, rng)
+}
+
+/// The fate of an object of which this was done.
+pub fn fate_of(deed: Deed, object: &Object, rng: &mut ChaCha8Rng) -> Fate {
     let normal =
         |rng: &mut ChaCha8Rng| TOLERANCE_M * <StandardNormal as Distribution<f64>>::sample(&StandardNormal, rng);
     let tolerance = Vec3::new(normal(rng), normal(rng), normal(rng));
@@ -108,7 +136,7 @@ fn fate(object: &Object, rng: &mut ChaCha8Rng) -> Fate {
         phase: [rng.random_range(0.0..TAU), rng.random_range(0.0..TAU)],
     });
     let turns = if deed == Deed::Open { turns(object, rng) } else { Vec::new() };
-    Fate { deed, displaced, shift: displaced + tolerance, wave, turns }
+    Fate { deed, displaced, shift: displaced + tolerance, wave, turns, cut: None }
 }
 
 fn deed(object: &Object, rng: &mut ChaCha8Rng) -> Deed {
@@ -124,7 +152,7 @@ fn deed(object: &Object, rng: &mut ChaCha8Rng) -> Deed {
 }
 
 /// Somewhere within [`DISPLACED_M`]; most flat things across themselves.
-fn displacement(object: &Object, rng: &mut ChaCha8Rng) -> Vec3 {
+pub fn displacement(object: &Object, rng: &mut ChaCha8Rng) -> Vec3 {
     let length = DISPLACED_M.start * (DISPLACED_M.end / DISPLACED_M.start).powf(rng.random_range(0.0..1.0));
     let flat = main_direction(object);
     let any: Vec3 = if object.kind == Kind::Structure || object.kind == Kind::Glazed || object.kind == Kind::Door {
@@ -152,7 +180,7 @@ fn random_direction(rng: &mut ChaCha8Rng) -> Vec3 {
     Vec3::new(level * heading.cos(), level * heading.sin(), z)
 }
 
-fn turns(object: &Object, rng: &mut ChaCha8Rng) -> Vec<Option<Turn>> {
+pub fn turns(object: &Object, rng: &mut ChaCha8Rng) -> Vec<Option<Turn>> {
     let count = object.leaf.iter().flatten().max().map_or(0, |n| n + 1);
     let sense = if rng.random_bool(0.5) { 1.0 } else { -1.0 };
     let other_end = rng.random_bool(0.5);

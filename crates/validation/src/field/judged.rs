@@ -39,7 +39,8 @@ pub fn cases(scene: &Scene) -> Result<Vec<Case>> {
     Ok(out)
 }
 
-fn evidence(scene: &Scene, delivery: Delivery) -> Result<Vec<Evidence>> {
+/// The evidence of every object, together.
+pub fn evidence(scene: &Scene, delivery: Delivery) -> Result<Vec<Evidence>> {
     let patches = delivery.patches(&scene.scans)?;
     let objects = &scene.layout.objects;
     let solids: Vec<(Solid, EvidenceModel)> =

@@ -7,11 +7,13 @@
 //! * [`samples`], [`observer`], [`right`]: what an ideal observer knows of an object, and what a verdict must be;
 //! * [`judged`]: what the verifier says;
 //! * [`score`], [`bins`], [`cases`], [`report`]: the numbers, docs/truth-field.md and the list of cases;
+//! * [`epochs`]: the same buildings in two epochs, and what changed;
 //! * [`planted`]: a real scan under a model of which surfaces were moved.
 
 mod bins;
 mod cases;
 mod clutter;
+pub mod epochs;
 mod fate;
 mod judged;
 mod layout;

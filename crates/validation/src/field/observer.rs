@@ -5,7 +5,6 @@ use asbuilt_core::geometry::Vec3;
 use asbuilt_fieldscan::optics::MAX_PANE_INCIDENCE;
 use asbuilt_fieldscan::{Optics, View};
 
-use super::fate::Deed;
 use super::samples::Sample;
 use super::scene::Scene;
 
@@ -61,7 +60,7 @@ pub fn truths(scene: &Scene, number: usize) -> Vec<Truth> {
 fn truth(scene: &Scene, number: usize, sample: &Sample) -> Truth {
     let (object, fate) = (&scene.layout.objects[number], &scene.fates[number]);
     let leaf = object.leaf[sample.triangle];
-    let is_missing = fate.deed == Deed::Missing;
+    let is_missing = fate.is_missing(&sample.place);
     let built = fate.place(&sample.place, leaf);
     let shared = |place: &Vec3| scene.layout.coincident(place, &sample.normal, number, SAME_PLACE_M);
     let elsewhere = || (!is_missing && !fate.is_turned(leaf)).then(|| shared(&built)).flatten();

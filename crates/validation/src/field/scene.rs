@@ -146,7 +146,16 @@ pub struct Scene {
 
 impl Scene {
     /// Builds and scans a building.
-    pub fn build(plan: &Plan, mut layout: Layout) -> Result<Self> {
+    pub fn build(plan: &Plan, layout: Layout) -> Result<Self> {
+        Self::built(plan, layout, fates)
+    }
+
+    /// The same with these fates of its objects.
+    pub fn built(
+        plan: &Plan,
+        mut layout: Layout,
+        fates: impl FnOnce(&Layout, &mut ChaCha8Rng) -> Vec<Fate>,
+    ) -> Result<Self> {
         let mut rng = ChaCha8Rng::seed_from_u64(plan.seed);
         let samples: Vec<Vec<Sample>> = layout.objects.par_iter().map(samples).collect::<Result<_>>()?;
         mark_twins(&mut layout, &samples);

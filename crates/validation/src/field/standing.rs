@@ -6,7 +6,7 @@ use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::fate::{Deed, Fate};
+use super::fate::{Cut, Deed, Fate};
 use super::layout::{Kind, Layout, Object};
 
 /// An uneven slab is made of triangles with edges of at most this, metres.
@@ -53,11 +53,39 @@ fn built(object: &Object, fate: &Fate) -> Vec<Triangle> {
     for t in 0..object.solid.triangles().len() {
         let mut pieces = Vec::new();
         let most = if fate.wave.is_some() { PIECE_M } else { f64::INFINITY };
-        cut(object.solid.corners(t), most, &mut pieces);
+        let mut kept = Vec::new();
+        clip(object.solid.corners(t), fate.cut.as_ref(), object, &mut kept);
+        kept.into_iter().for_each(|corners| cut(corners, most, &mut pieces));
         let place = |c: [Vec3; 3]| c.map(|p| fate.place(&p, object.leaf[t]));
         out.extend(pieces.into_iter().map(|c| Triangle { corners: place(c), surface: t as u32 }));
     }
     out
+}
+
+/// What lies on the built side of a cut, and the part of the cut's face that belongs to it: from the middle of the object
+/// on the plane, which closes what is convex.
+fn clip(corners: [Vec3; 3], cut: Option<&Cut>, object: &Object, out: &mut Vec<[Vec3; 3]>) {
+    let Some(cut) = cut else { return out.push(corners) };
+    let beyond = corners.map(|c| cut.beyond(&c));
+    let (mut kept, mut edge) = (Vec::new(), Vec::new());
+    for k in 0..3 {
+        let (a, b) = (beyond[k], beyond[(k + 1) % 3]);
+        if a <= 0.0 {
+            kept.push(corners[k]);
+        }
+        if (a <= 0.0) != (b <= 0.0) {
+            let crossing = corners[k] + (corners[(k + 1) % 3] - corners[k]) * (a / (a - b));
+            kept.push(crossing);
+            edge.push(crossing);
+        }
+    }
+    out.extend((2..kept.len()).map(|k| [kept[0], kept[k - 1], kept[k]]));
+    if let [a, b] = edge[..] {
+        let centre = object.solid.bounds().centre();
+        let middle = centre - cut.normal * cut.beyond(&centre);
+        let faces_out = (a - middle).cross(&(b - middle)).dot(&cut.normal) > 0.0;
+        out.push(if faces_out { [middle, a, b] } else { [middle, b, a] });
+    }
 }
 
 /// Halves the longest edge until none exceeds `most` metres; neighbours cut a common edge in the same way.

@@ -10,7 +10,7 @@ use crate::verify::model::EvidenceModel;
 use crate::{Interrupt, Result, poll, poll_now_and_then};
 
 /// Standard deviation of a median against that of a mean, for a normal sample: √(π/2).
-const MEDIAN_SD: f64 = 1.2533;
+pub const MEDIAN_SD: f64 = 1.2533;
 
 /// Of a face that is not cut off by the ends of the search band at most this share lies as near to them as
 /// [`BORDER_M`].

@@ -21,9 +21,9 @@ mod trend;
 mod vote;
 
 pub(super) use body::EvidenceBody;
-pub(super) use fitted_face::FittedFace;
+pub(super) use fitted_face::{FittedFace, MEDIAN_SD};
 pub(super) use fitted_object::FittedObject;
 pub(super) use fitted_surface::FittedSurface;
 pub(super) use reading::SampleReading;
 pub use shift::Shift;
-pub(super) use shift::shift_of;
+pub(super) use shift::{shift_of, shift_of_faces};

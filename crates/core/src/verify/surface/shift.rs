@@ -141,6 +141,11 @@ pub fn shift_of(e: &Evidence, faces: &[FittedFace], interrupt: Interrupt) -> Res
     Ok(Shift::fit(faces, &SurfacePoints::of(e, interrupt)?, &e.model))
 }
 
+/// The offset that the deviations of these faces alone explain.
+pub fn shift_of_faces(faces: &[FittedFace], model: &EvidenceModel) -> Option<Shift> {
+    Shift::fit(faces, &SurfacePoints::default(), model)
+}
+
 impl Evidence {
     /// The rigid offset; `None` where no face determines one.
     pub fn rigid_shift(&self, interrupt: Interrupt) -> Result<Option<Shift>> {

@@ -1,0 +1,89 @@
+//! How far an object moved between two epochs.
+
+use nalgebra::Matrix3;
+
+use super::epoch::Epoch;
+use super::paired::{FaceDifference, Paired};
+use super::thresholds::{MAX_CHANCE, MIN_REGISTRATION_SIGMAS, MIN_SAMPLES_OF_FACE};
+use crate::geometry::Vec3;
+use crate::num::chi_square;
+use crate::num::eigen;
+use crate::num::stats::median_and_spread;
+use crate::verify::model::EvidenceModel;
+use crate::verify::surface::{FittedFace, MEDIAN_SD, Shift, shift_of_faces};
+use crate::{Interrupt, Result, poll};
+
+/// How far an object moved, and whether that is more than chance and registration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Displacement {
+    /// Its offset in the new epoch against the old one.
+    pub shift: Shift,
+    /// Probability of so long a shift by chance, if it did not move.
+    pub chance: f64,
+    /// The shortest shift that is more than registration, metres.
+    pub floor: f64,
+}
+
+impl Displacement {
+    /// From the faces that show the object in both epochs; `None` where none does. What the drawn face has wrong is
+    /// in both epochs, and falls out of the differences.
+    pub fn of(old: &Epoch, new: &Epoch, paired: &mut Paired, interrupt: Interrupt) -> Result<Option<Self>> {
+        let mut faces = Vec::new();
+        for (face, difference) in paired.faces.iter_mut().enumerate() {
+            poll(interrupt)?;
+            faces.extend(difference.face(old, new, face));
+        }
+        // Stations of either epoch count by their own registration: their shares are multiples of it.
+        let model = EvidenceModel { sigma_model: 0.0, sigma_station: 1.0, ..new.model };
+        let Some(mut shift) = shift_of_faces(&faces, &model) else { return Ok(None) };
+        shift.covariance += Matrix3::identity() * new.model.least_variance();
+        let floor = MIN_REGISTRATION_SIGMAS * old.model.sigma_station.hypot(new.model.sigma_station);
+        Ok(Some(Self { chance: chance(&shift), shift, floor }))
+    }
+
+    /// Whether the object moved.
+    pub fn is_certain(&self) -> bool {
+        self.chance < MAX_CHANCE && self.shift.vector.norm() > self.floor
+    }
+}
+
+impl FaceDifference {
+    /// The face with its difference in the place of its deviation.
+    fn face(&mut self, old: &Epoch, new: &Epoch, number: usize) -> Option<FittedFace> {
+        let count = self.differences.len();
+        if count < MIN_SAMPLES_OF_FACE {
+            return None;
+        }
+        let (difference, spread) = median_and_spread(&mut self.differences)?;
+        let scatter = (self.noise / count as f64).max(spread * spread);
+        let random_sd = MEDIAN_SD * (scatter / self.independent.max(1.0)).sqrt();
+        let [a, b] = [old, new].map(|e| &e.fitted.faces[number]);
+        let registered = |epoch: &Epoch, face: &FittedFace, first: usize| {
+            let sigma = epoch.model.sigma_station;
+            face.stations.iter().map(|(station, share)| (first + station, share * sigma)).collect::<Vec<_>>()
+        };
+        let stations = [registered(old, a, 0), registered(new, b, old.evidence.stations().len())].concat();
+        Some(FittedFace {
+            with_surface: count as u64,
+            coherent: a.coherent && b.coherent,
+            deviation: Some((difference, random_sd)),
+            random_sd,
+            stations,
+            ..a.clone()
+        })
+    }
+}
+
+/// Probability of a shift as long as this along its determined directions, if it is none.
+fn chance(shift: &Shift) -> f64 {
+    let unknown: Matrix3<f64> = shift.undetermined.iter().map(|u| u * u.transpose()).sum();
+    let projector = Matrix3::identity() - unknown;
+    let covariance = projector * shift.covariance * projector;
+    let t: Vec3 = projector * shift.vector;
+    let dof = 3 - shift.undetermined.len().min(3) as u32;
+    if !eigen::is_tame(&covariance) {
+        return 1.0;
+    }
+    let inverse = covariance.pseudo_inverse(1e-9 * covariance.norm());
+    inverse.map_or(1.0, |inverse| chi_square::survival((inverse * t).dot(&t), dof))
+}
