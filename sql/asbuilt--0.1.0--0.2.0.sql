@@ -738,7 +738,8 @@ COMMENT ON COLUMN ab_summary_row.reason IS
     'no_return or shared_face; NULL for other verdicts, and where only ab_evidence_agg looked';
 COMMENT ON COLUMN ab_summary_row.reason_shares IS
     'Share of the samples for each reason: hidden by another drawn object, hidden by what nobody drew, too few beams, '
-    'beams too steep, not looked at, nothing returned, on a face that another object shares; NULL where reason is';
+    'beams too steep, not looked at, nothing returned, on a face that another object shares; each 0 to 1, in sum 1; NULL '
+    'where reason is';
 COMMENT ON COLUMN ab_summary_row.hidden_by IS
     'Always NULL: evidence does not know the names of others; see ab_verify_table';
 CREATE FUNCTION ab_summary(
@@ -871,7 +872,8 @@ COMMENT ON COLUMN ab_verdict_row.reason IS
     'no_return or shared_face; NULL for other verdicts, and where only ab_evidence_agg looked';
 COMMENT ON COLUMN ab_verdict_row.reason_shares IS
     'Share of the samples for each reason: hidden by another drawn object, hidden by what nobody drew, too few beams, '
-    'beams too steep, not looked at, nothing returned, on a face that another object shares; NULL where reason is';
+    'beams too steep, not looked at, nothing returned, on a face that another object shares; each 0 to 1, in sum 1; NULL '
+    'where reason is';
 COMMENT ON COLUMN ab_verdict_row.hidden_by IS
     'Id of the object that hides most of what drawn objects hide of an unobserved one; NULL where none does';
 COMMENT ON COLUMN ab_verdict_row.drawn_twice IS

@@ -8,8 +8,8 @@ INSERT INTO object VALUES
 CREATE TABLE scan (epoch int, patch ab_scan);
 -- A panel before a wall; gone; half of it; moved by 12 mm; the same, registered 1 mm otherwise.
 INSERT INTO scan
-SELECT epoch, ab_scan(ARRAY[0,0,0]::float8[], array_agg(ARRAY[x, x * i * 0.004, x * j * 0.004]::float8[]), 0.004, epoch)
-FROM generate_series(1, 5) epoch, generate_series(-50, 49) i, generate_series(-50, 49) j,
+SELECT epoch, ab_scan(ARRAY[0,0,0]::float8[], array_agg(ARRAY[x, x * i * 0.007, x * j * 0.007]::float8[]), 0.007, epoch)
+FROM generate_series(1, 5) epoch, generate_series(-30, 29) i, generate_series(-30, 29) j,
      LATERAL (SELECT CASE epoch WHEN 1 THEN 4.8 WHEN 2 THEN 5 WHEN 3 THEN CASE WHEN i < 0 THEN 4.8 ELSE 5 END
                                 WHEN 4 THEN 4.788 ELSE 4.801 END AS x) met GROUP BY epoch;
 SELECT * FROM ab_change_table(NULL, 'TABLE object', 'TABLE object');
