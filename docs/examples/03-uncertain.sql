@@ -78,7 +78,7 @@ SELECT ab_min(ab_box(ab_point(1, 2, 0.5, sd => 0.002), 0.99)) AS around_a_point,
 FROM   part;
 
 -- ab_reach
-SELECT ab_reach(ab_point(1, 2, 0.5, sd => 0.25), 3) AS three_sigma;
+SELECT ab_reach(ab_point(1, 2, 0.5, sd => 0.25), 3) AS three_sigma, ab_reach(ab_solid(ab_box(0, 0, 0, 4, 0.2, 2.5))) AS what_evidence_looks_at;
 
 -- ab_normal
 SELECT ab_normal(floor) AS up FROM part;

@@ -24,9 +24,6 @@ SELECT ab_with_sensor(ab_evidence_model('LOA30'), 'phase') AS model;
 -- ab_with_intensity
 SELECT ab_with_intensity(ab_evidence_model('LOA30'), reference => 1000) AS model;
 
--- ab_reach
-SELECT ab_reach(ab_solid(ab_box(0, 0, 0, 4, 0.2, 2.5))) AS around, ab_reach(ab_solid(ab_box(0, 0, 0, 4, 0.2, 2.5)), 'LOA10') AS for_loa10;
-
 -- ab_evidence_agg
 -- From scans, and from tie points of photographs that two cameras took.
 SELECT name, ab_verdict(evidence) AS verdict
