@@ -79,7 +79,7 @@ fn unit(name: &str, ty: &str) -> &'static str {
         n if n.ends_with("_SIGMAS") || n == "CERTAINLY_OFF" || n == "HUBER" || n == "TUKEY" => "σ",
         n if n.ends_with("_COS") => "cosine",
         n if n.ends_with("_SPACINGS") => "beam spacings",
-        "MAX_EXTENT" | "MAX_SLOPE" | "MIN_STEP" | "MAX_STEP" => "rad",
+        "MAX_EXTENT" | "MAX_SLOPE" => "rad",
         _ if ty.starts_with('f') => "1",
         _ => "count",
     }

@@ -63,9 +63,9 @@ fn edited_patches_say_what_their_beams_say() {
             "CREATE TABLE thin{i} AS SELECT ab_thin(patch, {side}) AS patch FROM returned;
              CREATE TABLE retiled{i} AS
                 SELECT ab_retile(array_agg(patch)) AS patch FROM thin{i} GROUP BY ab_station(patch);
-             CREATE TABLE united{i} AS
-                SELECT ab_union(ARRAY[ab_filter(patch, ab_box(-50, -50, -50, 50, 50, 1.37005)),
-                                      ab_filter(patch, ab_box(-50, -50, 1.37005, 50, 50, 50))]) AS patch FROM thin{i};
+             CREATE TABLE united{i} AS SELECT ab_union(patch) AS patch
+                FROM (SELECT patch, row_number() OVER (PARTITION BY ab_station(patch) ORDER BY ab_cone(patch)::text) / 2 AS pair
+                      FROM thin{i} WHERE ab_count(patch) < 2000) p GROUP BY ab_station(patch), pair;
              CREATE TABLE filtered{i} AS
                 SELECT f AS patch FROM thin{i}, ab_filter(patch, ab_box(-50, -50, -50, 50, 4, 50)) f WHERE f IS NOT NULL"
         );
