@@ -1,7 +1,7 @@
 //! `ab_scan`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchFrame, PatchHeader, Spacing, check_count};
+use asbuilt_core::scan::{Beam, Beams, Origins, Patch, PatchHeader, PatchSpec, Spacing, check_count};
 use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
@@ -63,7 +63,8 @@ fn from_arrays(
         }
         content.extend_without_return(directions.into_iter().map(Vec3::from));
     }
-    packed(PatchFrame { origins, station, origin, quantum }, step.map(Spacing::Angle), content)
+    let spacing = step.map_or_else(|| content.spacing(origins), Spacing::Angle);
+    Patch::pack(&PatchSpec { origins, station, origin, spacing, quantum }, &content)
 }
 
 /// One origin, or as many as the array has rows; at least one.
@@ -86,15 +87,8 @@ fn cloud(points: &F64Array, spacing: Option<f64>, given: &PatchOptions) -> Resul
     content.intensity = planes::intensity(given.intensity.as_ref())?;
     content.colour = planes::colour(given.colour.as_ref())?;
     let (origins, station, quantum) = (Origins::Unknown, given.station, given.quantum);
-    packed(PatchFrame { origins, station, origin, quantum }, spacing.map(Spacing::Distance), content)
-}
-
-/// The patch of these beams; their spacing is found where it is not given.
-fn packed(frame: PatchFrame, spacing: Option<Spacing>, content: Beams) -> Result<Patch> {
-    match spacing {
-        Some(spacing) => Patch::pack(&frame.spaced(spacing), &content),
-        None => Patch::pack_found(&frame, content),
-    }
+    let spacing = spacing.map_or_else(|| content.spacing(origins), Spacing::Distance);
+    Patch::pack(&PatchSpec { origins, station, origin, spacing, quantum }, &content)
 }
 
 sql_functions! {

@@ -9,13 +9,11 @@ const BEGIN: &str = "<!-- Thresholds: made from the code by crates/core/tests/th
 const END: &str = "<!-- End of the thresholds -->\n";
 
 /// Where beams and geometry are judged: files and folders, in the order of the method.
-const PLACES: [&str; 18] = [
+const PLACES: [&str; 16] = [
     "geometry/face.rs",
     "geometry/weld.rs",
     "evidence",
     "scan/tile.rs",
-    "scan/local_step.rs",
-    "scan/neighbourhoods.rs",
     "verify/aim",
     "verify/model",
     "verify/evidence/samples.rs",

@@ -13,9 +13,6 @@ pub struct Beams {
     pub starts: Option<Vec<Vec3>>,
     /// Intensity as the sensor gave it.
     pub intensity: Option<Vec<u16>>,
-    /// Angle between neighbouring beams around each, radians: only for beams of one origin that form no grid
-    /// ([`super::Origins::One`]).
-    pub steps: Option<Vec<f32>>,
     /// Red, green, blue.
     pub colour: Option<Vec<[u8; 3]>>,
 }
@@ -54,7 +51,6 @@ impl Beams {
         Self {
             beams: pick(&self.beams, beams),
             starts: self.starts.as_deref().map(|p| pick(p, beams)),
-            steps: self.steps.as_deref().map(|p| pick(p, beams)),
             intensity: self.intensity.as_deref().map(|p| pick(p, beams)),
             colour: self.colour.as_deref().map(|p| pick(p, beams)),
         }
@@ -65,7 +61,6 @@ impl Beams {
         let more = other.len();
         self.beams.grow(more, interrupt)?;
         self.starts.iter_mut().try_for_each(|s| s.grow(more, interrupt))?;
-        self.steps.iter_mut().try_for_each(|s| s.grow(more, interrupt))?;
         self.intensity.iter_mut().try_for_each(|p| p.grow(more, interrupt))?;
         self.colour.iter_mut().try_for_each(|p| p.grow(more, interrupt))?;
         fn join<T>(mine: &mut Option<Vec<T>>, theirs: Option<Vec<T>>) {
@@ -75,7 +70,6 @@ impl Beams {
             }
         }
         join(&mut self.starts, other.starts);
-        join(&mut self.steps, other.steps);
         join(&mut self.intensity, other.intensity);
         join(&mut self.colour, other.colour);
         self.beams.append(&mut other.beams);

@@ -33,13 +33,6 @@ impl Cone {
         limit >= std::f64::consts::PI || centre.dot(&self.axis) >= distance * limit.cos()
     }
 
-    /// Where a line from the apex along `v` meets the plane at unit distance along the axis (gnomonic: straight lines stay
-    /// straight); `basis` is the cone's own.
-    pub fn image(&self, basis: &[Vec3; 2], v: &Vec3) -> [f64; 2] {
-        let depth = v.dot(&self.axis).max(1e-12);
-        [v.dot(&basis[0]) / depth, v.dot(&basis[1]) / depth]
-    }
-
     /// Two unit vectors that complete the axis to a right-handed frame.
     pub fn basis(&self) -> [Vec3; 2] {
         perpendiculars(&self.axis)

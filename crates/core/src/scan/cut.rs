@@ -2,22 +2,13 @@
 
 use super::beams::Beams;
 use super::cluster::{angular_spacing, clusters, spacing};
-use super::local_step::steps_off_grid;
 use super::origins::Origins;
 use super::patch::Patch;
-use super::patch_spec::PatchFrame;
+use super::patch_spec::PatchSpec;
 use super::spacing::Spacing;
 use super::tile::{mean_step, tiles};
 use crate::geometry::Vec3;
 use crate::{Interrupt, Result, poll, room};
-
-impl Patch {
-    /// Packs beams whose spacing nobody tells, and that need not be a scanner's.
-    pub fn pack_found(frame: &PatchFrame, mut content: Beams) -> Result<Self> {
-        let spacing = content.find_spacing(frame.origins);
-        Self::pack(&frame.spaced(spacing), &content)
-    }
-}
 
 impl Beams {
     /// Cuts the beams into patches of neighbours, each a list of beam numbers: by direction where they start at one
@@ -42,23 +33,18 @@ impl Beams {
         }
     }
 
-    /// The same of beams that need not be a scanner's: where those of one origin form no grid, each gets a step of its
-    /// own.
-    pub fn find_spacing(&mut self, origins: Origins) -> Spacing {
-        let spacing = self.spacing(origins);
-        self.steps = match spacing {
-            Spacing::Angle(mean) if origins == Origins::One => steps_off_grid(&self.beams, mean),
-            _ => None,
-        };
-        spacing
-    }
-
-    /// The beams cut into packed patches of neighbours.
-    pub(super) fn packed(&self, frame: &PatchFrame, interrupt: Interrupt) -> Result<Vec<Patch>> {
+    /// The beams cut into patches of neighbours, each packed by the setting that `patch_spec` gives it.
+    pub(super) fn packed(
+        &self,
+        origins: Origins,
+        interrupt: Interrupt,
+        setting: impl Fn(&Self) -> PatchSpec,
+    ) -> Result<Vec<Patch>> {
         let pack = |tile: &Vec<u32>| {
             poll(interrupt)?;
-            Patch::pack_found(frame, self.select(tile))
+            let own = self.select(tile);
+            Patch::pack(&setting(&own), &own)
         };
-        self.cut(frame.origins, interrupt)?.iter().map(pack).collect()
+        self.cut(origins, interrupt)?.iter().map(pack).collect()
     }
 }

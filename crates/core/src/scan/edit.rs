@@ -1,5 +1,7 @@
-//! Patches made from patches: filtered, moved, joined, cut anew. Beams that are kept keep their coordinates to half a
-//! quantum; beams that are dropped leave nothing behind.
+//! Patches made from patches: filtered, thinned, moved, joined, cut anew. Beams that are kept keep their coordinates to
+//! half a quantum; beams that are dropped leave nothing behind.
+
+use std::collections::HashSet;
 
 use super::beam::MAX_BEAMS;
 use super::beams::Beams;
@@ -39,6 +41,19 @@ impl Patch {
         Self::filtered(bytes, |_, c, i| c.beams[i].returned && (min..=max).contains(&c.beams[i].offset.norm()))
     }
 
+    /// The first beam of every cube of side `spacing` (metres, lattice of the reference system) that a return lies in,
+    /// and every beam without return.
+    pub fn thinned(bytes: &[u8], spacing: f64) -> Result<Option<Self>> {
+        if !(1e-6..=1e6).contains(&spacing) {
+            return Err(Error::argument("the spacing", "from 0.000001 to 1000000 m", spacing));
+        }
+        let mut taken = HashSet::new();
+        Self::filtered(bytes, |h, c, i| {
+            let cube: [i64; 3] = (c.end(i) + h.origin).map(|x| (x / spacing).floor() as i64).into();
+            !c.beams[i].returned || taken.insert(cube)
+        })
+    }
+
     /// The patch seen through a pose; its covariance is not carried.
     pub fn moved(bytes: &[u8], pose: &UncertainPose) -> Result<Self> {
         let (header, mut content) = Self::content_of(bytes)?;
@@ -54,13 +69,13 @@ impl Patch {
     /// Patches of one station joined into one.
     pub fn union(patches: &[&[u8]], interrupt: Interrupt) -> Result<Option<Self>> {
         let Some((header, content)) = joined(patches, MAX_BEAMS, interrupt)? else { return Ok(None) };
-        Self::pack_found(&header.frame(), content).map(Some)
+        Self::pack(&header.setting(), &content).map(Some)
     }
 
     /// The beams of many patches of one station, cut anew into tiles of neighbours.
     pub fn retiled(patches: &[&[u8]], interrupt: Interrupt) -> Result<Vec<Self>> {
         let Some((header, content)) = joined(patches, MAX_RETILED, interrupt)? else { return Ok(Vec::new()) };
-        content.packed(&header.frame(), interrupt)
+        content.packed(header.origins(), interrupt, |_| header.setting())
     }
 }
 

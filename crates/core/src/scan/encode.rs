@@ -24,8 +24,8 @@ struct Quanta {
     starts: Option<Vec<[i32; 3]>>,
 }
 
-/// Header, payload and the beams' own steps, where they have them.
-pub fn encode(setting: &PatchSpec, content: &Beams) -> Result<(PatchHeader, Vec<u8>, Option<Vec<u8>>)> {
+/// Header and payload.
+pub fn encode(setting: &PatchSpec, content: &Beams) -> Result<(PatchHeader, Vec<u8>)> {
     check(setting, content)?;
     let quanta = quantise(content, setting.quantum)?;
     let all_returned = content.beams.iter().all(|b| b.returned);
@@ -46,12 +46,7 @@ pub fn encode(setting: &PatchSpec, content: &Beams) -> Result<(PatchHeader, Vec<
     let no_returns = if all_returned { 0 } else { PatchHeader::FLAG_NO_RETURNS };
     let flags = PatchHeader::flags_of(content) | no_origin | no_returns;
     let header = describe(flags, setting, &quanta.restored(content, setting.quantum))?;
-    let steps = content.steps.as_ref().map(|steps| {
-        let mut out = Vec::with_capacity(steps.len());
-        planes::pack_steps(steps, &mut out);
-        out
-    });
-    Ok((header, payload, steps))
+    Ok((header, payload))
 }
 
 fn pack_columns(quanta: &[[i32; 3]], lead: u8, out: &mut Vec<u8>) {
@@ -104,10 +99,6 @@ pub fn check(setting: &PatchSpec, content: &Beams) -> Result<()> {
             "not so",
         ));
     }
-    if content.steps.is_some() && setting.origins != Origins::One {
-        return Err(Error::argument("a step for every beam", "of beams of one origin", "of others"));
-    }
-    one_a_beam("the steps", content.steps.as_ref().map(Vec::len), n)?;
     one_a_beam("the origins", content.starts.as_ref().map(Vec::len), n)?;
     one_a_beam("the intensities", content.intensity.as_ref().map(Vec::len), n)?;
     one_a_beam("the colours", content.colour.as_ref().map(Vec::len), n)?;
@@ -162,8 +153,7 @@ impl Quanta {
         let metres = |q: &[i32; 3]| Vec3::from(q.map(f64::from)) * quantum;
         let beam = |(q, b): (&[i32; 3], &Beam)| Beam { offset: metres(q), returned: b.returned };
         let beams = self.offsets.iter().zip(&content.beams).map(beam).collect();
-        let starts = self.starts.as_ref().map(|s| s.iter().map(metres).collect());
-        Beams { starts, steps: content.steps.as_deref().map(planes::restored_steps), ..Beams::of(beams) }
+        Beams { starts: self.starts.as_ref().map(|s| s.iter().map(metres).collect()), ..Beams::of(beams) }
     }
 }
 
@@ -177,14 +167,13 @@ pub fn describe(flags: u8, setting: &PatchSpec, content: &Beams) -> Result<Patch
     let range = returned().map(|i| content.beams[i].offset.norm());
     let range = range.fold([f64::INFINITY, 0.0], |[lo, hi], r| [lo.min(r), hi.max(r)]);
     let range = if world.is_empty() { [0.0, 0.0] } else { [round_down(range[0]), round_up(range[1])] };
-    let widest = content.steps.as_ref().map(|s| Spacing::Angle(s.iter().copied().fold(0.0, f32::max).into()));
     let cone = if origins == Origins::One { cone(&content.beams)? } else { Cone::EVERYWHERE };
     Ok(PatchHeader {
         flags,
         beams: content.len() as u32,
         returns: world.len() as u32,
         range,
-        spacing: widest.unwrap_or(spacing).stored(),
+        spacing: spacing.stored(),
         station,
         origin,
         quantum,

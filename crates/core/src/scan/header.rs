@@ -3,13 +3,13 @@
 use super::beams::Beams;
 use super::cone::Cone;
 use super::origins::Origins;
-use super::patch_spec::{PatchFrame, PatchSpec};
+use super::patch_spec::PatchSpec;
 use super::spacing::Spacing;
 use crate::NEVER;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::num::bytes::{ByteReader, Put};
-use crate::num::sections::{self, BODY, HEADER, REQUIRED, begin, header_end, put_section};
+use crate::num::sections::{self, BODY, HEADER, begin, header_end, put_section};
 
 pub(super) const TY: &str = "ab_scan";
 
@@ -18,18 +18,6 @@ pub(super) const TY: &str = "ab_scan";
 pub const JOIN_MARGIN_M: f64 = 0.25;
 /// A beam without return counts as having looked this far; the hull of a patch extends to there.
 pub const NO_RETURN_REACH_M: f64 = 30.0;
-
-/// The section of the beams' own steps, where they have them; who does not know it would judge all by the widest.
-pub(super) const STEPS: u32 = REQUIRED | 3;
-
-/// What follows the header.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Contents<'a> {
-    /// The packed beams.
-    pub payload: &'a [u8],
-    /// Their packed steps, where they have them.
-    pub steps: Option<&'a [u8]>,
-}
 
 /// How far from the beams of a patch a box may lie, so that they can still tell of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,8 +38,7 @@ pub struct Vicinity {
 ///
 /// A container of sections (`num/sections.rs`), version 3, whose first note holds the flags. The header's content,
 /// little-endian: beams u32, returns u32, half-angle f32, spacing f32, range min and max f32, station i64, origin
-/// 3×f64, quantum f64, point box 6×f64, hull 6×f64, axis 3×f64. Then the payload and, if each beam has a step of its own,
-/// a section of these. Versions 1 (without attributes) and 2 are read: flags
+/// 3×f64, quantum f64, point box 6×f64, hull 6×f64, axis 3×f64. Versions 1 (without attributes) and 2 are read: flags
 /// u8 and 0 u8 after the letter, then beams, returns, payload length and CRC-32 u32, half-angle, spacing, range f32,
 /// (pad) u32, the rest as now, and the payload.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +51,7 @@ pub struct PatchHeader {
     pub returns: u32,
     /// Smallest and largest range of a return, metres; `[0, 0]` when there is none.
     pub range: [f32; 2],
-    /// How far neighbouring beams are apart, the widest where each has a step of its own; kept in single precision.
+    /// How far neighbouring beams are apart; kept in single precision.
     pub spacing: Spacing,
     /// The scanner position's number, as the user keeps it.
     pub station: i64,
@@ -124,14 +111,10 @@ impl PatchHeader {
             | flag(content.colour.is_some(), Self::FLAG_COLOUR)
     }
 
-    /// What the beams have in common, however far they are apart.
-    pub fn frame(&self) -> PatchFrame {
-        PatchFrame { origins: self.origins(), station: self.station, origin: self.origin, quantum: self.quantum }
-    }
-
     /// What the beams have in common.
     pub fn setting(&self) -> PatchSpec {
-        self.frame().spaced(self.spacing)
+        let (station, origin, quantum) = (self.station, self.origin, self.quantum);
+        PatchSpec { origins: self.origins(), station, origin, spacing: self.spacing, quantum }
     }
 
     /// Whether a beam of the patch can come within `margin` metres of a box: by cone and range, against the ball around
@@ -172,7 +155,6 @@ impl PatchHeader {
             && (0..2).all(|i| near_f32(f64::from(self.range[i]), f64::from(o.range[i])))
             && (self.cone.axis - o.cone.axis).norm() <= 1e-9
             && near_f32(self.cone.half_angle, o.cone.half_angle)
-            && near_f32(self.spacing.number(), o.spacing.number())
     }
 
     pub(super) fn write(&self, out: &mut Vec<u8>) -> Result<()> {
@@ -236,12 +218,10 @@ impl PatchHeader {
         Ok(Self { flags, beams, returns, range, spacing, station, origin, quantum, points, hull, cone })
     }
 
-    /// What follows the header of a patch of any version, its checksums checked.
-    pub(super) fn contents(bytes: &[u8]) -> Result<Contents<'_>> {
+    /// Payload of a patch of any version, its checksum checked.
+    pub(super) fn payload(bytes: &[u8]) -> Result<&[u8]> {
         if bytes.first() == Some(&Self::VERSION) {
-            let [_, payload, steps] = sections::find(bytes, TY, [HEADER, BODY, STEPS], NEVER)?;
-            let payload = payload.ok_or_else(|| Error::binary(TY, "a section is missing"))?;
-            return Ok(Contents { payload, steps });
+            return sections::read(bytes, TY, [HEADER, BODY], NEVER).map(|[_, body]| body);
         }
         let mut r = ByteReader::new(bytes, TY);
         r.take(12)?;
@@ -251,7 +231,6 @@ impl PatchHeader {
             let reason = format!("{} bytes of payload, but the header announces {len}", payload.len());
             return Err(r.bad(reason));
         }
-        let contents = Contents { payload, steps: None };
-        if crc32fast::hash(payload) == checksum { Ok(contents) } else { Err(r.bad("the checksum does not match")) }
+        if crc32fast::hash(payload) == checksum { Ok(payload) } else { Err(r.bad("the checksum does not match")) }
     }
 }

@@ -22,15 +22,12 @@
 //! * [`halve`]: lists halved until their parts are patches;
 //! * [`tile`]: cutting by direction;
 //! * [`cluster`]: cutting by place;
-//! * [`angular_grid`]: directions sorted into cells;
-//! * [`neighbourhoods`]: the nearest ones to a direction, and its solid angle;
-//! * [`local_step`]: how far beams without a grid are apart;
 //! * [`cut`]: either, and the patches that come of it;
 //! * [`platform`]: patches of a moving platform as patches of one origin;
+//! * [`angular_grid`]: directions sorted into cells;
 //! * [`range_image`]: the decoded tile as a range image;
 //! * [`patch_builder`]: patches from rows;
-//! * [`thin`]: patches thinned by cubes;
-//! * [`edit`]: patches from patches otherwise.
+//! * [`edit`]: patches from patches.
 
 mod angular_grid;
 mod beam;
@@ -43,8 +40,6 @@ mod edit;
 mod encode;
 mod halve;
 mod header;
-mod local_step;
-mod neighbourhoods;
 mod origins;
 mod patch;
 mod patch_builder;
@@ -53,7 +48,6 @@ mod planes;
 mod platform;
 mod range_image;
 mod spacing;
-mod thin;
 mod tile;
 
 pub(crate) use angular_grid::AngularGrid;
@@ -65,7 +59,7 @@ pub use header::{JOIN_MARGIN_M, NO_RETURN_REACH_M, PatchHeader, Vicinity};
 pub use origins::Origins;
 pub use patch::Patch;
 pub use patch_builder::{PatchBuilder, Return};
-pub use patch_spec::{PatchFrame, PatchSpec};
+pub use patch_spec::PatchSpec;
 pub use platform::by_origin;
 pub use range_image::RangeImage;
 pub use spacing::Spacing;

@@ -3,7 +3,7 @@
 use super::beam::{Beam, MAX_BEAMS};
 use super::beams::Beams;
 use super::encode::{NO_LEAD, check, describe, encode};
-use super::header::{Contents, PatchHeader, STEPS, TY};
+use super::header::{PatchHeader, TY};
 use super::origins::Origins;
 use super::patch_spec::PatchSpec;
 use super::spacing::Spacing;
@@ -21,8 +21,6 @@ use crate::num::sections::{BODY, put_section};
 pub struct Patch {
     header: PatchHeader,
     payload: Vec<u8>,
-    /// The packed steps of the beams, where each has its own.
-    steps: Option<Vec<u8>>,
 }
 
 impl Patch {
@@ -31,8 +29,8 @@ impl Patch {
 
     /// Packs beams with their attributes. Coordinates of returns are kept to half a quantum per axis.
     pub fn pack(setting: &PatchSpec, content: &Beams) -> Result<Self> {
-        let (header, payload, steps) = encode(setting, content)?;
-        Ok(Self { header, payload, steps })
+        let (header, payload) = encode(setting, content)?;
+        Ok(Self { header, payload })
     }
 
     /// Packs beams that start at `origin`; `step` is the angle between neighbours, radians.
@@ -50,13 +48,10 @@ impl Patch {
     /// The stored and transmitted form.
     pub fn to_bytes(&self) -> Vec<u8> {
         let mut out = Vec::with_capacity(PatchHeader::LEN + 12 + self.payload.len());
-        let sections = [Some((BODY, &self.payload)), self.steps.as_ref().map(|steps| (STEPS, steps))];
         let written = self.header.write(&mut out).and_then(|()| {
-            sections.into_iter().flatten().try_for_each(|(tag, content)| {
-                put_section(tag, &mut out, NEVER, |out| {
-                    out.extend_from_slice(content);
-                    Ok(())
-                })
+            put_section(BODY, &mut out, NEVER, |out| {
+                out.extend_from_slice(&self.payload);
+                Ok(())
             })
         });
         debug_assert!(written.is_ok(), "a patch of at most {MAX_BEAMS} beams takes some hundred kilobytes");
@@ -77,41 +72,38 @@ impl Patch {
     /// Reads bytes from outside: the header must describe the beams, up to the rounding of other machines.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let (header, content) = Self::content_of(bytes)?;
-        let Contents { payload, steps } = PatchHeader::contents(bytes)?;
-        let (payload, steps) = (payload.to_vec(), steps.map(<[u8]>::to_vec));
+        let payload = PatchHeader::payload(bytes)?.to_vec();
         let setting = header.setting();
         check(&setting, &content)?;
         if !header.agrees_with(&describe(header.flags, &setting, &content)?) {
             return Err(Error::binary(TY, "its header does not describe its beams"));
         }
-        Ok(Self { header, payload, steps })
+        Ok(Self { header, payload })
     }
 }
 
 fn read(bytes: &[u8], all_planes: bool) -> Result<(PatchHeader, Beams)> {
     let header = PatchHeader::read(bytes)?;
-    let content = PatchHeader::contents(bytes).and_then(|contents| decode(&header, contents, all_planes)).map_err(
-        |e| match e {
+    let content =
+        PatchHeader::payload(bytes).and_then(|payload| decode(&header, payload, all_planes)).map_err(|e| match e {
             Error::Binary { reason, .. } => Error::corrupted(TY, reason),
             other => other,
-        },
-    )?;
+        })?;
     Ok((header, content))
 }
 
-fn decode(header: &PatchHeader, contents: Contents, all_planes: bool) -> Result<Beams> {
+fn decode(header: &PatchHeader, payload: &[u8], all_planes: bool) -> Result<Beams> {
     let n = header.beams as usize;
     if n == 0 || n > MAX_BEAMS {
         return Err(Error::binary(TY, format!("{n} beams, but a patch holds 1 to {MAX_BEAMS}")));
     }
-    let mut r = ByteReader::new(contents.payload, TY);
+    let mut r = ByteReader::new(payload, TY);
     let bitmap = if header.flags & PatchHeader::FLAG_NO_RETURNS != 0 { Some(r.take(n.div_ceil(8))?) } else { None };
     let returned = |i: usize| bitmap.is_none_or(|b| b[i / 8] >> (i % 8) & 1 == 1);
     let lead = r.u8()?;
     let offsets = columns(&mut r, n, lead)?;
     let beam = |i: usize| Beam { offset: metres(&offsets, i, header.quantum), returned: returned(i) };
     let mut content = Beams::of((0..n).map(beam).collect());
-    content.steps = contents.steps.map(|steps| planes::unpack_steps(ByteReader::new(steps, TY), n)).transpose()?;
     if header.origins() == Origins::Each {
         let starts = columns(&mut r, n, NO_LEAD)?;
         content.starts = Some((0..n).map(|i| metres(&starts, i, header.quantum)).collect());
@@ -253,7 +245,7 @@ mod tests {
             let beams = [Beam { offset: Vec3::new(5.0, 0.0, 0.3), returned: true }];
             let mut header = Patch::encode(1, Vec3::zeros(), 2e-3, 1e-4, &beams).unwrap().header().clone();
             (header.flags, header.beams) = (flags, n);
-            let bytes = Patch { header, payload, steps: None }.to_bytes();
+            let bytes = Patch { header, payload }.to_bytes();
             if let Ok((_, content)) = Patch::content_of(&bytes) {
                 prop_assert!(content.len() == n as usize);
             }

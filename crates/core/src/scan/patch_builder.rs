@@ -4,7 +4,7 @@ use super::beam::Beam;
 use super::beams::Beams;
 use super::origins::Origins;
 use super::patch::Patch;
-use super::patch_spec::PatchFrame;
+use super::patch_spec::PatchSpec;
 use crate::error::{Error, Limited, Result};
 use crate::geometry::{Vec3, check_coordinates};
 use crate::num::bytes::{ByteReader, Put};
@@ -128,8 +128,12 @@ impl PatchBuilder {
 
     /// Packed patches of neighbours: by direction from one origin, otherwise by place.
     pub fn patches(&self, interrupt: Interrupt) -> Result<Vec<Patch>> {
-        let (origins, station, origin) = (self.origins(), self.station, self.reference);
-        self.content.packed(&PatchFrame { origins, station, origin, quantum: Patch::QUANTUM_M }, interrupt)
+        let origins = self.origins();
+        let (station, origin, quantum) = (self.station, self.reference, Patch::QUANTUM_M);
+        self.content.packed(origins, interrupt, |own| {
+            let spacing = own.spacing(origins);
+            PatchSpec { origins, station, origin, spacing, quantum }
+        })
     }
 
     /// For another process of this server.
@@ -169,7 +173,7 @@ impl PatchBuilder {
             station,
             has_rays: some.then_some(rays),
             reference,
-            content: Beams { beams, starts, steps: None, intensity, colour },
+            content: Beams { beams, starts, intensity, colour },
         })
     }
 }

@@ -18,24 +18,3 @@ pub struct PatchSpec {
     /// Unit of the packed coordinates, metres.
     pub quantum: f64,
 }
-
-/// The same without the spacing, which is found from the beams.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PatchFrame {
-    /// Where the beams start.
-    pub origins: Origins,
-    /// The scanner position's number, as the user keeps it.
-    pub station: i64,
-    /// The one origin of the beams, or a reference point near them; world metres.
-    pub origin: Vec3,
-    /// Unit of the packed coordinates, metres.
-    pub quantum: f64,
-}
-
-impl PatchFrame {
-    /// With the spacing that was found.
-    pub fn spaced(self, spacing: Spacing) -> PatchSpec {
-        let Self { origins, station, origin, quantum } = self;
-        PatchSpec { origins, station, origin, spacing, quantum }
-    }
-}

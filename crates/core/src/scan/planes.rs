@@ -1,4 +1,4 @@
-//! The optional attributes stored behind the beams: starts, intensity, colour; and their own steps.
+//! The optional attributes stored behind the beams: starts, intensity, colour.
 
 use super::beams::Beams;
 use super::bitpack;
@@ -33,42 +33,6 @@ pub fn unpack(r: &mut ByteReader, flags: u8, content: &mut Beams) -> Result<()> 
         content.colour = Some((0..n).map(colour).collect::<Result<_>>()?);
     }
     Ok(())
-}
-
-/// A step is stored as its logarithm, in so many parts of an octave of
-const STEPS_PER_OCTAVE: f64 = 16.0;
-/// this one, radians: to 2 %.
-const UNIT_STEP: f64 = 1e-7;
-/// Steps up to 6.5 rad.
-const MAX_STORED_STEP: i32 = 415;
-
-/// Appends the beams' own steps.
-pub fn pack_steps(steps: &[f32], out: &mut Vec<u8>) {
-    bitpack::pack(&steps.iter().map(|s| stored_step(*s)).collect::<Vec<_>>(), None, out);
-}
-
-/// Reads what [`pack_steps`] wrote.
-pub fn unpack_steps(mut r: ByteReader, n: usize) -> Result<Vec<f32>> {
-    let column = bitpack::unpack(&mut r, n, None)?;
-    let Some(bad) = column.iter().find(|v| !(0..=MAX_STORED_STEP).contains(*v)) else {
-        r.finish()?;
-        return Ok(column.into_iter().map(restored_step).collect());
-    };
-    Err(r.bad(format!("step {bad}")))
-}
-
-/// The steps as a reader will see them.
-pub fn restored_steps(steps: &[f32]) -> Vec<f32> {
-    steps.iter().map(|s| restored_step(stored_step(*s))).collect()
-}
-
-fn stored_step(step: f32) -> i32 {
-    let octaves = (f64::from(step) / UNIT_STEP).log2();
-    ((octaves * STEPS_PER_OCTAVE).round() as i32).clamp(0, MAX_STORED_STEP)
-}
-
-fn restored_step(stored: i32) -> f32 {
-    (UNIT_STEP * (f64::from(stored) / STEPS_PER_OCTAVE).exp2()) as f32
 }
 
 fn narrow<T: TryFrom<i32>>(r: &ByteReader, value: i32) -> Result<T> {

@@ -2,7 +2,7 @@
 
 use super::angular_grid::AngularGrid;
 use super::beam::Beam;
-use super::beams::Beams;
+use super::cone::Cone;
 use super::header::PatchHeader;
 use crate::geometry::Vec3;
 
@@ -20,64 +20,45 @@ pub struct RangeImage {
     pub ranges: Vec<f64>,
     /// Intensity of each beam, where it was measured and asked for.
     pub intensities: Option<Vec<u16>>,
-    /// Angle between neighbouring beams around each, radians, where they form no grid.
-    pub steps: Option<Vec<f32>>,
     basis: [Vec3; 2],
     grid: AngularGrid,
 }
 
 impl RangeImage {
-    /// Sorts beams with an origin.
+    /// Sorts the beams of a patch with an origin.
     pub fn new(header: PatchHeader, beams: &[Beam]) -> Self {
-        Self::sorted(header, beams, None, None)
+        Self::with_intensities(header, beams, None)
     }
 
-    /// Sorts the beams of a patch with an origin, with their intensities and steps where they are there.
-    pub fn of(header: PatchHeader, content: &Beams) -> Self {
-        Self::sorted(header, &content.beams, content.intensity.as_deref(), content.steps.as_deref())
-    }
-
-    fn sorted(header: PatchHeader, beams: &[Beam], intensities: Option<&[u16]>, steps: Option<&[f32]>) -> Self {
+    /// The same with the beams' intensities.
+    pub fn with_intensities(header: PatchHeader, beams: &[Beam], intensities: Option<&[u16]>) -> Self {
         let basis = header.cone.basis();
         let (mut kept, mut image) = (Vec::with_capacity(beams.len()), Vec::with_capacity(beams.len()));
         for (i, b) in beams.iter().enumerate() {
             let length = b.offset.norm();
             if length > 0.0 {
                 let d = b.offset / length;
-                kept.push((i, d, if b.returned { length } else { f64::INFINITY }));
-                image.push(header.cone.image(&basis, &d));
+                let range = if b.returned { length } else { f64::INFINITY };
+                kept.push((d, range, intensities.map_or(0, |all| all[i])));
+                image.push(gnomonic(&header.cone, &basis, &d));
             }
         }
-        let (grid, slots) = AngularGrid::sort(
-            &image,
-            steps.and_then(|s| root_mean_square(s.iter().copied())).unwrap_or(header.spacing.angle()),
-        );
+        let (grid, slots) = AngularGrid::sort(&image, header.spacing.angle());
         let (mut directions, mut ranges) = (vec![Vec3::zeros(); kept.len()], vec![0.0; kept.len()]);
-        let mut order = vec![0; kept.len()];
-        for (slot, (i, direction, range)) in slots.into_iter().zip(kept) {
+        let mut sorted = intensities.map(|_| vec![0; kept.len()]);
+        for (slot, (direction, range, intensity)) in slots.into_iter().zip(kept) {
             directions[slot as usize] = direction;
             ranges[slot as usize] = range;
-            order[slot as usize] = i;
+            if let Some(sorted) = &mut sorted {
+                sorted[slot as usize] = intensity;
+            }
         }
-        let intensities = intensities.map(|all| order.iter().map(|&i| all[i]).collect());
-        let steps = steps.map(|all| order.iter().map(|&i| all[i]).collect());
-        Self { header, directions, ranges, intensities, steps, basis, grid }
+        Self { header, directions, ranges, intensities: sorted, basis, grid }
     }
 
-    /// Widest angle between neighbouring beams, radians.
-    pub fn widest_step(&self) -> f64 {
+    /// Angle between neighbouring beams, radians.
+    pub fn step(&self) -> f64 {
         self.header.spacing.angle()
-    }
-
-    /// Angle between neighbouring beams around one of them, radians.
-    pub fn step_at(&self, slot: usize) -> f64 {
-        self.steps.as_ref().map_or(self.widest_step(), |steps| steps[slot].into())
-    }
-
-    /// Mean angle between neighbouring beams around some of them, radians; the one step where there is but one.
-    pub fn mean_step(&self, slots: impl Iterator<Item = usize>) -> f64 {
-        let of = |steps: &Vec<f32>| root_mean_square(slots.map(|slot| steps[slot]));
-        self.steps.as_ref().and_then(of).unwrap_or(self.widest_step())
     }
 
     /// Number of beams.
@@ -94,7 +75,7 @@ impl RangeImage {
     /// the scanner.
     pub fn project(&self, offset: &Vec3) -> Option<[f64; 2]> {
         let depth = offset.dot(&self.header.cone.axis);
-        (depth > 1e-6 * offset.norm()).then(|| self.header.cone.image(&self.basis, offset))
+        (depth > 1e-6 * offset.norm()).then(|| gnomonic(&self.header.cone, &self.basis, offset))
     }
 
     /// Slot ranges, one per row of cells, that hold all beams within the image rectangle (and some around it).
@@ -104,10 +85,9 @@ impl RangeImage {
     }
 }
 
-/// The step of beams that cover together as much as these do each; `None` where there is none.
-fn root_mean_square(steps: impl Iterator<Item = f32>) -> Option<f64> {
-    let (sum, n) = steps.fold((0.0, 0.0), |(sum, n), s| (sum + f64::from(s).powi(2), n + 1.0));
-    (n > 0.0).then(|| (sum / n).sqrt())
+fn gnomonic(cone: &Cone, basis: &[Vec3; 2], v: &Vec3) -> [f64; 2] {
+    let depth = v.dot(&cone.axis).max(1e-12);
+    [v.dot(&basis[0]) / depth, v.dot(&basis[1]) / depth]
 }
 
 #[cfg(test)]

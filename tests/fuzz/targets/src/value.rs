@@ -20,7 +20,7 @@ pub fn patch(data: &[u8]) {
 
 /// What SQL does with a stored patch, which it trusts more than bytes from outside.
 pub fn edits(bytes: &[u8]) {
-    let Ok((header, mut content)) = Patch::content_of(bytes) else { return };
+    let Ok((header, content)) = Patch::content_of(bytes) else { return };
     let half = Aabb { min: header.points.min, max: header.points.centre().into() };
     let _ = header.sees(&half, 0.1);
     let _ = Patch::within(bytes, &half);
@@ -28,7 +28,7 @@ pub fn edits(bytes: &[u8]) {
     let _ = Patch::thinned(bytes, 0.05);
     let _ = bounded(|i| Patch::union(&[bytes, bytes], i));
     let _ = bounded(|i| Patch::retiled(&[bytes, bytes], i));
-    let _ = content.find_spacing(header.origins());
+    let _ = content.spacing(header.origins());
 }
 
 pub fn gathered(data: &[u8]) {

@@ -36,7 +36,14 @@ impl Unpacked {
         let unpack = if with_intensities { Patch::content_of } else { Patch::beams_of };
         let (header, content) = unpack(patch)?;
         let beams = match header.origins() {
-            Origins::One => UnpackedBeams::FromOne(Box::new(RangeImage::of(header.clone(), &content))),
+            Origins::One => {
+                let intensities = content.intensity.as_deref();
+                UnpackedBeams::FromOne(Box::new(RangeImage::with_intensities(
+                    header.clone(),
+                    &content.beams,
+                    intensities,
+                )))
+            }
             Origins::Each => {
                 let by_place = by_origin(&header, &content)?;
                 UnpackedBeams::FromMany(

@@ -158,20 +158,15 @@ impl Collector {
         let model = self.evidence.model;
         let aimed = AimedAt { target: &self.drawn.target, crossings, others };
         match M::beams(view, &aimed, &model, keep, interrupt)? {
-            Some(beams) => {
-                let step = view.mean_step(crossings.iter().map(|c| c.slot as usize));
-                self.gather::<M>(view, step, place, &beams, interrupt)
-            }
+            Some(beams) => self.gather::<M>(view, place, &beams, interrupt),
             None => Ok(()),
         }
     }
 
-    /// Adds the beams of a view to every sample that they may concern. `step`: the mean one of those aimed at the solid,
-    /// radians.
+    /// Adds the beams of a view to every sample that they may concern.
     fn gather<M: BeamModel>(
         &mut self,
         view: &RangeImage,
-        step: f64,
         place: StationOrigin,
         beams: &M::PreparedBeams<'_>,
         interrupt: Interrupt,
@@ -200,7 +195,7 @@ impl Collector {
             gathering.add_to(block, sums);
             if sums.iter().any(|s| !s.is_empty()) {
                 station.add_block(i as u32, sums);
-                station.step = station.step.max(step as f32);
+                station.step = station.step.max(view.step() as f32);
             }
         }
         stations.retain(|s| !s.blocks.is_empty());

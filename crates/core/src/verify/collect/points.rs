@@ -130,7 +130,7 @@ impl Collector {
                 poll(interrupt)?;
             }
             let Some(met_world) = met_beside(view, slot, crossings, &around) else { continue };
-            let spacing = view.step_at(slot) * view.ranges[slot];
+            let spacing = view.step() * view.ranges[slot];
             let point = LocalPoint::exact(met_world - samples.reference, spacing);
             let near = drawn.target.near_face(&met_world, band).filter(|face| face.height.abs() <= band);
             let Some(face) = near else { continue };
@@ -141,7 +141,7 @@ impl Collector {
                 let len = samples.blocks[block as usize].len;
                 M::add_point(&towards(touch, &scanner_local), &model, &mut station.block(block, len)[k]);
             });
-            station.step = station.step.max(view.step_at(slot) as f32);
+            station.step = station.step.max(view.step() as f32);
         }
         stations.retain(|s| !s.blocks.is_empty());
         self.evidence.check_size()

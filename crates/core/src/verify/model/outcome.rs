@@ -29,10 +29,6 @@ pub struct BeamOutcomes {
     pub normals: Vec<[f32; 3]>,
     pub outcomes: Vec<BeamOutcome>,
     grid: AngularGrid,
-    /// By slot 1/s², with s the angle between neighbouring beams around the beam, radians; where they form no grid.
-    pub density: Option<Vec<f32>>,
-    /// Widest angle between neighbouring beams, radians.
-    pub widest_step: f64,
     /// Farthest that any place lies from where its beam was aimed, metres.
     pub widest: f64,
 }
@@ -42,8 +38,6 @@ struct PlacedOutcome {
     place_scanner: Vec3,
     normal: Vec3,
     outcome: BeamOutcome,
-    /// The beam, by its slot in the view.
-    beam: usize,
     /// The place in the image.
     uv: [f64; 2],
 }
@@ -70,18 +64,16 @@ impl BeamOutcomes {
             widest = widest.max((placed.place_scanner - aimed_scanner).norm());
             all.push(PlacedOutcome { outcome, ..placed });
         }
-        Ok((!all.is_empty()).then(|| Self::laid_out(&all, view, widest)))
+        Ok((!all.is_empty()).then(|| Self::laid_out(&all, view.step(), widest)))
     }
 
-    fn laid_out(all: &[PlacedOutcome], view: &RangeImage, widest: f64) -> Self {
+    fn laid_out(all: &[PlacedOutcome], step: f64, widest: f64) -> Self {
         let image: Vec<[f64; 2]> = all.iter().map(|e| e.uv).collect();
-        let mean = view.mean_step(all.iter().map(|e| e.beam));
-        let (grid, slots) = AngularGrid::sort(&image, mean);
+        let (grid, slots) = AngularGrid::sort(&image, step);
         let zeros = || vec![0f32; all.len()];
         let mut places_scanner = [zeros(), zeros(), zeros()];
         let mut normals = vec![[0.0; 3]; all.len()];
         let mut outcomes = vec![BeamOutcome::SeenThrough { weight: 0.0 }; all.len()];
-        let mut density = view.steps.as_ref().map(|_| zeros());
         for (e, slot) in all.iter().zip(slots) {
             let slot = slot as usize;
             for (all, one) in places_scanner.iter_mut().zip(&e.place_scanner) {
@@ -89,12 +81,8 @@ impl BeamOutcomes {
             }
             normals[slot] = e.normal.map(|c| c as f32).into();
             outcomes[slot] = e.outcome;
-            if let Some(density) = &mut density {
-                density[slot] = view.step_at(e.beam).powi(-2) as f32;
-            }
         }
-        let widest_step = all.iter().map(|e| view.step_at(e.beam)).fold(0.0, f64::max);
-        Self { places_scanner, normals, outcomes, density, widest_step, grid, widest }
+        Self { places_scanner, normals, outcomes, grid, widest }
     }
 
     /// Slot ranges that hold all places within the image rectangle (and some around it).
@@ -173,7 +161,7 @@ impl Classifier<'_> {
         let aimed_scanner = direction * t;
         if range.is_infinite() {
             let weight = if t <= model.no_return_range { model.no_return_weight } else { 0.0 };
-            let empty = || self.at(slot, aimed_scanner, normal, BeamOutcome::SeenThrough { weight: weight as f32 });
+            let empty = || self.at(aimed_scanner, normal, BeamOutcome::SeenThrough { weight: weight as f32 });
             return if weight > 0.0 { empty() } else { None };
         }
         let deviation = (t - range) * cos;
@@ -181,11 +169,11 @@ impl Classifier<'_> {
             return None;
         }
         if deviation < -model.band_behind() {
-            return self.at(slot, aimed_scanner, normal, BeamOutcome::SeenThrough { weight: 1.0 });
+            return self.at(aimed_scanner, normal, BeamOutcome::SeenThrough { weight: 1.0 });
         }
         let share = self.share(slot);
         let at_foot = self.at_foot(crossing, &normal, share);
-        at_foot.or_else(|| self.at(slot, aimed_scanner, normal, met(deviation, share)))
+        at_foot.or_else(|| self.at(aimed_scanner, normal, met(deviation, share)))
     }
 
     /// A surface, told of at the foot of the return; `None` where the drawn surface has none near.
@@ -198,7 +186,7 @@ impl Classifier<'_> {
         // Moved by as much as it is round, its nearest places crowd on few facets and leave the others without beams.
         let is_near = there.dot(normal) >= BLUNT_EDGE_COS;
         let outcome = met((met_world - place_world).dot(&there), share);
-        if is_near { self.at(slot, place_world - origin, there, outcome) } else { None }
+        if is_near { self.at(place_world - origin, there, outcome) } else { None }
     }
 
     /// What this beam is worth beside a bright one.
@@ -209,9 +197,9 @@ impl Classifier<'_> {
         }
     }
 
-    fn at(&self, beam: usize, place_scanner: Vec3, normal: Vec3, outcome: BeamOutcome) -> Option<PlacedOutcome> {
+    fn at(&self, place_scanner: Vec3, normal: Vec3, outcome: BeamOutcome) -> Option<PlacedOutcome> {
         let uv = self.view.project(&place_scanner)?;
-        Some(PlacedOutcome { place_scanner, normal, outcome, beam, uv })
+        Some(PlacedOutcome { place_scanner, normal, outcome, uv })
     }
 }
 
@@ -225,7 +213,7 @@ mod tests {
     use super::*;
     use crate::NEVER;
     use crate::geometry::Solid;
-    use crate::scan::{Beam, Beams, Patch};
+    use crate::scan::{Beam, Patch};
     use crate::verify::aim::{Claims, Target, crossings};
 
     /// A wall whose face is drawn at x = `face`.
@@ -235,7 +223,7 @@ mod tests {
 
     fn view(beam: Beam, intensity: u16) -> RangeImage {
         let header = Patch::encode(0, Vec3::zeros(), 5e-3, 1e-4, &[beam]).unwrap().header().clone();
-        RangeImage::of(header, &Beams { intensity: Some(vec![intensity]), ..Beams::of(vec![beam]) })
+        RangeImage::with_intensities(header, &[beam], Some(&[intensity]))
     }
 
     /// What a beam met that is aimed at a wall 3 m away, with another wall where `other` says.

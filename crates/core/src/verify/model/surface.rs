@@ -109,44 +109,23 @@ impl BeamModel for Surface {
 }
 
 fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: &mut Sums) {
-    let range_squared = offset_scanner.norm_squared();
-    let step = beams.met.widest_step;
-    match &beams.met.density {
-        None => {
-            let per_spacing = (1.0 / (step * step * range_squared)) as f32;
-            gather_by(beams, offset_scanner, normal, |_| per_spacing, sums);
-        }
-        Some(density) => {
-            let per_range = (1.0 / range_squared) as f32;
-            gather_by(beams, offset_scanner, normal, |slot| density[slot] * per_range, sums);
-        }
-    }
-}
-
-/// Each beam counts by its place; `per_spacing`: 1/s² of the beam in a slot, with s the spacing at the sample, metres.
-#[inline(always)]
-fn gather_by(
-    beams: &SurfaceBeams<'_>,
-    offset_scanner: &Vec3,
-    normal: &Vec3,
-    per_spacing: impl Fn(usize) -> f32,
-    sums: &mut Sums,
-) {
     let SurfaceBeams { view, met, .. } = beams;
     let range_squared = offset_scanner.norm_squared();
     let Some(uv) = view.project(offset_scanner) else { return };
+    let step = view.step();
     // The gnomonic image stretches away from its centre, by this much at the most.
-    let radius = KERNEL_SPACINGS * met.widest_step * (1.0 + uv[0] * uv[0] + uv[1] * uv[1]) * 1.05;
+    let radius = KERNEL_SPACINGS * step * (1.0 + uv[0] * uv[0] + uv[1] * uv[1]) * 1.05;
     let here = offset_scanner.map(|c| c as f32);
     let sight = (offset_scanner / range_squared.sqrt()).map(|c| c as f32);
     let normal = normal.map(|c| c as f32);
+    let per_spacing = (1.0 / (step * step * range_squared)) as f32;
     let [xs, ys, zs] = &met.places_scanner;
     for slots in met.slots_in([uv[0] - radius, uv[1] - radius], [uv[0] + radius, uv[1] + radius]) {
         for slot in slots {
             let v = nalgebra::Vector3::new(xs[slot] - here.x, ys[slot] - here.y, zs[slot] - here.z);
             let along = v.dot(&sight);
             let lateral_squared = (v.norm_squared() - along * along).max(0.0);
-            let across_squared = lateral_squared * per_spacing(slot);
+            let across_squared = lateral_squared * per_spacing;
             if is_within(across_squared) {
                 let there = nalgebra::Vector3::from(met.normals[slot]);
                 if goes_on(v.dot(&normal).abs(), lateral_squared, there.dot(&normal)) {

@@ -29,7 +29,7 @@ impl Sights {
             return;
         }
         let map = self.maps.entry(key).or_insert_with(|| SightMap::new(view.header.origin));
-        for slot in (0..view.len()).step_by(SightMap::stride(view.mean_step(0..view.len()))) {
+        for slot in (0..view.len()).step_by(SightMap::stride(view.step())) {
             map.add(&view.directions[slot], view.ranges[slot]);
         }
     }

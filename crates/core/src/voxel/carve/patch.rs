@@ -32,9 +32,8 @@ pub fn absorb(tile: &mut CarvedTile, patch: &[u8], interrupt: Interrupt) -> Resu
     let origin = LocalOrigin::at(grid.index(&header.origin)?);
     let rays = count_returns(tile, &header, &content, &origin, interrupt)?;
     if header.origins() != Origins::Unknown {
-        // Between beams that form no grid nothing is filled.
-        let is_grid = header.origins() == Origins::One && content.steps.is_none();
-        let raster = (is_grid && !grid.exact).then(|| (origin.local(grid, &header.origin), header.spacing.angle()));
+        let raster = (header.origins() == Origins::One && !grid.exact)
+            .then(|| (origin.local(grid, &header.origin), header.spacing.angle()));
         let hull = [header.hull.min, header.hull.max].map(|corner| grid.index(&corner.into()));
         let [low, high] = [hull[0].clone()?, hull[1].clone()?];
         let span = tile.span.common(&VoxelBox::between(low, high));
