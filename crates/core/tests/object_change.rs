@@ -29,8 +29,8 @@ fn epoch(distance: impl Fn(f64, f64) -> Option<f64>) -> [Evidence; 2] {
     };
     let beams: Vec<Beam> = (0..SIDE * SIDE).filter_map(beam).collect();
     let objects = drawn().map(|solid| (solid, EvidenceModel::default()));
-    let patch = || Patch::encode(1, Vec3::zeros(), STEP, 1e-4, &beams).unwrap().to_bytes();
-    let patches: Vec<Vec<u8>> = (!beams.is_empty()).then(patch).into_iter().collect();
+    let patch = |beams| Patch::encode(1, Vec3::zeros(), STEP, 1e-4, beams).unwrap().to_bytes();
+    let patches: Vec<Vec<u8>> = beams.chunks(4096).map(patch).collect();
     gathered(objects.into(), &patches).try_into().unwrap()
 }
 
@@ -152,7 +152,13 @@ fn counts_are_those_of_the_beliefs() {
             count(&|(a, b)| a.2 && b.1),
             count(&|(a, b)| a.2 && b.2),
         ];
-        assert_eq!([change.seen_in_both, change.kept, change.lost, change.won, change.empty], counted, "{object}");
+        assert_eq!(
+            [change.seen_in_both, change.lost, change.won, change.empty],
+            [counted[0], counted[2], counted[3], counted[4]],
+            "{object}"
+        );
+        // Where few beams are sure by themselves, the surface as a whole still says that it is there.
+        assert!((counted[1]..=counted[1] + counted[1] / 20).contains(&change.kept), "{object}: {}", change.kept);
         assert_eq!(change.samples, pairs.len() as u64);
         assert!(object == 1 || change.kept > 100 && change.lost > 100);
     }
