@@ -182,7 +182,7 @@ struct Judged {
 
 impl Judged {
     /// The deviation along the normal into the room, if the face that it is of looks along it.
-    fn into_room(&self, normal: &Vec3) -> Option<(f64, f64)> {
+    fn along_room(&self, normal: &Vec3) -> Option<(f64, f64)> {
         let (value, sd) = self.summary.deviation?;
         let along = self.normal?.dot(normal);
         (along.abs() > 0.9).then(|| (value * along.signum(), sd))
@@ -192,7 +192,7 @@ impl Judged {
     /// farther off than [`CLUTTER_M`] stands before it.
     fn kept(&self, normal: &Vec3, shift_m: f64) -> Option<f64> {
         let along = self.normal?.dot(normal).signum();
-        let (median, _) = self.into_room(normal)?;
+        let (median, _) = self.along_room(normal)?;
         let near = self.deviations.iter().map(|d| d * along).filter(|d| (d - median).abs() <= CLUTTER_M);
         let mut off: Vec<f64> = near.map(|d| (d - shift_m).abs()).collect();
         off.sort_by(f64::total_cmp);
@@ -219,7 +219,7 @@ pub fn run(report: Option<&Path>) -> Result<()> {
                 solids[number] = moved(&room.solids[number], &(normal * shift_m))?;
                 let after = room.judged(&solids, stations)?.swap_remove(number);
                 let kept_m = before[number].kept(&normal, shift_m);
-                let (before, number) = (before[number].into_room(&normal), after.into_room(&normal));
+                let (before, number) = (before[number].along_room(&normal), after.along_room(&normal));
                 let Summary { verdict: said, coverage, .. } = after.summary;
                 shifts.push(Shift { surface, stations: name, shift_m, before, kept_m, after: number, said, coverage });
             }

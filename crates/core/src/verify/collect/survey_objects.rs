@@ -188,8 +188,8 @@ impl SurveyObjects {
             }
             Ok(i)
         })?;
-        for i in 0..first.len() {
-            self.body[i] = self.body[first[i] as usize];
+        for (i, first) in first.into_iter().enumerate() {
+            self.body[i] = self.body[first as usize];
         }
         Ok(())
     }
