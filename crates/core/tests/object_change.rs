@@ -62,7 +62,8 @@ fn a_case_for_each_class() {
     let hidden = |y: f64, _| Some(if y < 0.5 { 4.0 } else { 4.8 });
     let all_hidden = |_, _| Some(4.0);
     let nothing = |_, _| None;
-    let cases: [(&dyn Fn(f64, f64) -> Option<f64>, Class); 9] = [
+    type Distance<'a> = &'a dyn Fn(f64, f64) -> Option<f64>;
+    let cases: [(Distance, Class); 9] = [
         (&there, Class::Unchanged),
         (&gone, Class::Gone),
         (&moved, Class::Moved),
@@ -142,15 +143,14 @@ fn counts_are_those_of_the_beliefs() {
     for object in 0..2 {
         let change = ObjectChange::between(&old[object], &new[object], NEVER).unwrap().samples;
         let pairs: Vec<_> = states(&old[object]).into_iter().zip(states(&new[object])).collect();
-        let count = |hit: &dyn Fn(&((bool, bool, bool), (bool, bool, bool))) -> bool| {
-            pairs.iter().filter(|p| p.0.0 && p.1.0 && hit(p)).count() as u64
-        };
+        type State = (bool, bool, bool);
+        let count = |hit: fn(&(State, State)) -> bool| pairs.iter().filter(|p| p.0.0 && p.1.0 && hit(p)).count() as u64;
         let counted = [
-            count(&|_| true),
-            count(&|(a, b)| a.1 && b.1),
-            count(&|(a, b)| a.1 && b.2),
-            count(&|(a, b)| a.2 && b.1),
-            count(&|(a, b)| a.2 && b.2),
+            count(|_| true),
+            count(|(a, b)| a.1 && b.1),
+            count(|(a, b)| a.1 && b.2),
+            count(|(a, b)| a.2 && b.1),
+            count(|(a, b)| a.2 && b.2),
         ];
         assert_eq!(
             [change.seen_in_both, change.lost, change.won, change.empty],
