@@ -34,7 +34,7 @@ impl Sight {
 }
 
 impl SightMap {
-    /// Of a station that looked nowhere yet.
+    /// Of a station at `origin_world`, metres, that looked nowhere yet.
     pub fn new(origin_world: Vec3) -> Self {
         let count = (PI / CELL).ceil() as usize;
         let mut rows = vec![0];
