@@ -5,13 +5,15 @@ CREATE FUNCTION ab_evidence_model(
     sigma_range float8 DEFAULT NULL, sigma_angle float8 DEFAULT NULL, sigma_station float8 DEFAULT NULL,
     sigma_model float8 DEFAULT NULL, confidence float8 DEFAULT NULL, reliability float8 DEFAULT NULL,
     max_incidence float8 DEFAULT NULL, no_return_range float8 DEFAULT NULL, no_return_weight float8 DEFAULT NULL,
-    kappa float8 DEFAULT NULL, lambda float8 DEFAULT NULL, c float8 DEFAULT NULL) RETURNS ab_evidence_model
+    kappa float8 DEFAULT NULL, lambda float8 DEFAULT NULL, c float8 DEFAULT NULL, reach float8 DEFAULT NULL)
+    RETURNS ab_evidence_model
     AS 'MODULE_PATHNAME', 'ab_model_make' LANGUAGE c IMMUTABLE PARALLEL SAFE;
 COMMENT ON FUNCTION ab_evidence_model(
     ab_loa, text, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8, float8,
-    float8) IS
+    float8, float8) IS
     'Parameters of evidence and verdict; what is not given keeps the default of a current terrestrial scanner. '
-    'model: surface or meyer2022; lengths in metres, angles in radians';
+    'model: surface or meyer2022; lengths in metres, angles in radians. reach: how far from its drawn place '
+    'ab_verify_table looks for an object that is not there, 0.3 m where it is not given';
 
 CREATE FUNCTION ab_rollup(e1 ab_evidence, e2 ab_evidence) RETURNS ab_evidence
     AS 'MODULE_PATHNAME', 'ab_evidence_rollup' LANGUAGE c IMMUTABLE PARALLEL SAFE COST 1000000;

@@ -103,7 +103,7 @@ sql_functions! {
     /// The box of a solid, grown by what its evidence looks for around it.
     fn ab_model_reach(solid: Option<SolidArg>, model: Option<ModelArg>) {
         let Some(solid) = solid else { return Ok(SqlValue::Null) };
-        let reach = model_or_default(model.as_ref())?.reach();
+        let reach = model_or_default(model.as_ref())?.farthest();
         Ok(SqlValue::Fixed(box_bytes(&solid.header()?.bounds.expanded(reach))))
     }
 
@@ -117,13 +117,15 @@ sql_functions! {
         loa: Option<Loa>, model: Option<String>, spacing: Option<f64>, sigma_range: Option<f64>,
         sigma_angle: Option<f64>, sigma_station: Option<f64>, sigma_model: Option<f64>, confidence: Option<f64>,
         reliability: Option<f64>, max_incidence: Option<f64>, no_return_range: Option<f64>,
-        no_return_weight: Option<f64>, kappa: Option<f64>, lambda: Option<f64>, c: Option<f64>,
+        no_return_weight: Option<f64>, kappa: Option<f64>, lambda: Option<f64>, c: Option<f64>, reach: Option<f64>,
     ) {
         let numbers = [
             spacing, sigma_range, sigma_angle, sigma_station, sigma_model, confidence, reliability, max_incidence,
             no_return_range, no_return_weight, kappa, lambda, c,
         ];
-        GivenParameters::of(loa, model, &numbers)?.ret()
+        let mut given = GivenParameters::of(loa, model, &numbers)?;
+        reach.map(|reach| given.set("reach", reach)).transpose()?;
+        given.ret()
     }
 
     /// One preset, or all of them without a name.

@@ -3,7 +3,7 @@
 use std::sync::Mutex;
 
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::verify::{Evidence, EvidenceModel, Sights, Summary, SurveyObjects, Verdict, VerdictRule, Verifier};
+use asbuilt_core::verify::{Evidence, EvidenceModel, Judged, Sights, SurveyObjects, VerdictRule, Verifier};
 use asbuilt_core::{Error, Interrupt, Result};
 
 use super::evidence_model::{ModelArg, model_or_default, parse};
@@ -79,12 +79,7 @@ pub fn absorb_scans(
 }
 
 /// An object's verdict, and its evidence where it is kept.
-struct Judged {
-    summary: Summary,
-    /// Number of the object that hides it.
-    hidden_by: Option<u32>,
-    bytes: Option<Vec<u8>>,
-}
+type Kept = (Judged, Option<Vec<u8>>);
 
 /// What a batch is judged by.
 struct Judge<'a> {
@@ -95,16 +90,10 @@ struct Judge<'a> {
 }
 
 impl Judge<'_> {
-    fn judge(&self, object: u32, mut evidence: Evidence, interrupt: Interrupt) -> Result<Judged> {
-        let question = evidence.model().question;
-        let mut summary = evidence.summary(&question, &self.rule, interrupt)?;
-        let mut hidden_by = None;
-        if summary.verdict == Verdict::Unobserved {
-            hidden_by = self.objects.second_look(object, &mut evidence, self.sights, interrupt)?;
-            summary.unseen = evidence.unseen();
-        }
+    fn judge(&self, object: u32, mut evidence: Evidence, interrupt: Interrupt) -> Result<Kept> {
+        let judged = self.objects.judge(object, &mut evidence, self.sights, &self.rule, interrupt)?;
         let bytes = self.keep.then(|| evidence.to_bytes(interrupt)).transpose()?;
-        Ok(Judged { summary, hidden_by, bytes })
+        Ok((judged, bytes))
     }
 }
 
@@ -115,8 +104,8 @@ fn judged(
     objects: &SurveyObjects,
     (rule, keep): (VerdictRule, bool),
     crew: &WorkerPool,
-) -> Result<Vec<Option<Judged>>> {
-    let mut out: Vec<Option<Judged>> = (0..objects.len()).map(|_| None).collect();
+) -> Result<Vec<Option<Kept>>> {
+    let mut out: Vec<Option<Kept>> = (0..objects.len()).map(|_| None).collect();
     let mut sights = Sights::default();
     for (round, batch) in objects.batches().iter().enumerate() {
         let mut verifier = crew.run(|interrupt| Verifier::new(objects, batch, crew.threads(), interrupt))?;
@@ -168,7 +157,7 @@ sql_functions! {
             let id = if let ResultCell::Integer(id) = id { RowField::I64(*id) } else { RowField::Null };
             let mut fields = vec![id];
             match has_solid.then(|| verdicts.next()).flatten() {
-                Some((object, Some(Judged { summary, hidden_by, bytes }))) => {
+                Some((object, Some((Judged { summary, hidden_by }, bytes)))) => {
                     fields.push(RowField::or_null(bytes, RowField::Bytes));
                     fields.extend(row(&summary, name(hidden_by)));
                     fields.push(name(objects.drawn_twice(object as u32)));

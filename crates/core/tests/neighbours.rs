@@ -183,7 +183,7 @@ fn why(solids: &[Solid], object: u32, patches: &[Vec<u8>]) -> (Option<Unseen>, O
     verifier.absorb(patches, Some(&mut sights), NEVER).unwrap();
     let mut evidence = verifier.into_evidence().find(|(i, _)| *i == object).unwrap().1;
     assert_eq!(summary(&evidence).verdict, Verdict::Unobserved);
-    let hider = objects.second_look(object, &mut evidence, &sights, NEVER).unwrap();
+    let hider = objects.judge(object, &mut evidence, &sights, &VerdictRule::default(), NEVER).unwrap().hidden_by;
     let kept = Evidence::from_bytes(&evidence.to_bytes(NEVER).unwrap(), NEVER).unwrap();
     assert_eq!((kept.unseen(), summary(&kept).unseen), (evidence.unseen(), evidence.unseen()));
     (evidence.unseen(), hider)

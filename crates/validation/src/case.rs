@@ -75,14 +75,21 @@ impl Setup {
         let objects = &self.building.objects;
         let solids: Vec<(Solid, EvidenceModel)> =
             objects.iter().enumerate().map(|(i, o)| (o.solid.clone(), self.model(i, kind))).collect();
-        let evidence = if alone {
-            solids.par_iter().map(|(solid, model)| self.evidence_alone(solid, *model)).collect::<Result<Vec<_>>>()?
+        let rule = VerdictRule::default();
+        let verified: Vec<(Evidence, Summary)> = if alone {
+            let alone = |(solid, model): &(Solid, EvidenceModel)| {
+                let evidence = self.evidence_alone(solid, *model)?;
+                let summary = evidence.summary(&model.question, &rule, NEVER)?;
+                Ok((evidence, summary))
+            };
+            solids.par_iter().map(alone).collect::<Result<_>>()?
         } else {
             let objects = SurveyObjects::new(solids, Threads::Pool, NEVER)?;
-            objects.evidence(&self.patches, 32, Threads::Pool, NEVER)?
+            let verified = objects.verified(&self.patches, 32, &rule, Threads::Pool, NEVER)?;
+            verified.into_iter().map(|(evidence, judged)| (evidence, judged.summary)).collect()
         };
-        let cases: Vec<_> = objects.iter().zip(&self.built.fates).zip(&evidence).collect();
-        cases.into_par_iter().map(|((object, fate), evidence)| self.outcome(object, fate, evidence)).collect()
+        let cases: Vec<_> = objects.iter().zip(&self.built.fates).zip(&verified).collect();
+        cases.into_par_iter().map(|((object, fate), verified)| self.outcome(object, fate, verified)).collect()
     }
 
     fn evidence_alone(&self, solid: &Solid, model: EvidenceModel) -> Result<Evidence> {
@@ -91,10 +98,9 @@ impl Setup {
         Ok(collector.into_evidence())
     }
 
-    fn outcome(&self, object: &Object, fate: &Fate, evidence: &Evidence) -> Result<Outcome> {
+    fn outcome(&self, object: &Object, fate: &Fate, (evidence, summary): &(Evidence, Summary)) -> Result<Outcome> {
         let model = *evidence.model();
         let rule = VerdictRule::default();
-        let summary = evidence.summary(&model.question, &rule, NEVER)?;
         let samples = self.samples(evidence, &model, fate)?;
         let truths: Vec<(usize, SampleTruth)> = samples.iter().map(|s| (s.face, s.truth)).collect();
         let missing = fate.solid.is_none();
@@ -109,7 +115,7 @@ impl Setup {
             _ => Vec::new(),
         };
         let survey_sd = self.survey.scanner.sigma_registration / (self.stations.len() as f64).sqrt();
-        let account = self.account(object, fate, &model, &expected, &summary);
+        let account = self.account(object, fate, &model, &expected, summary);
         Ok(Outcome {
             layout: self.building.layout,
             case: fate.case,

@@ -6,7 +6,7 @@
 //! * [`model`]: the parameters ([`EvidenceModel`]), and by kind of model how beams become integer sums and what these
 //!   state;
 //! * [`evidence`]: what is stored, [`Samples`] on the solid and the sums of each [`StationEvidence`] ([`Evidence`]);
-//! * [`sights`]: where all beams ended ([`Sights`]), for a second look at what stayed unobserved;
+//! * [`sights`]: where all beams ended ([`Sights`]), for a second look at what stayed unobserved or was not found;
 //! * [`collect`]: adding patches to the evidence of one solid ([`Collector`]) or of many ([`Verifier`]);
 //! * [`surface`]: from evidence to `Observations` of all seen samples, and the `FittedObject` that was built;
 //! * [`verdict`]: from there to a `Judgement` at one tolerance, and to a [`Summary`];
@@ -29,10 +29,10 @@ mod verdict;
 
 pub use change::{Displacement, ObjectChange, ObjectChangeClass, PairedSamples};
 pub use collect::{Batch, Collector, SurveyObjects, Threads, Verifier};
-pub use evidence::{Evidence, EvidenceHeader, Samples, StationEvidence, StationOrigin, Unseen, Why};
+pub use evidence::{Evidence, EvidenceHeader, FoundFace, Samples, StationEvidence, StationOrigin, Unseen, Why};
 pub use model::{EvidenceModel, IntensityNoise, ModelKind, Question};
 pub use sights::Sights;
 pub use surface::Shift;
 pub use verdict::{
-    Contribution, Counts, FaceReport, PlannedStation, SampleBelief, Shares, Summary, Verdict, VerdictRule,
+    Contribution, Counts, FaceReport, Judged, PlannedStation, SampleBelief, Shares, Summary, Verdict, VerdictRule,
 };

@@ -11,6 +11,7 @@ use super::fate::Deed;
 use super::layout::Kind;
 use super::patches::Delivery;
 use super::right::Right;
+use super::why::ReasonSaid;
 use crate::case::{Estimate, Stated};
 
 /// An object-case.
@@ -42,6 +43,8 @@ pub struct Case {
     pub true_deviation: Option<Estimate>,
     /// The name of who hides most of what is hidden, and of who shares most of what is shared.
     pub hidden_by: Option<String>,
+    /// Why it is unobserved, as said, against the truth.
+    pub reason: Option<ReasonSaid>,
     pub shared_with: Option<String>,
     pub stated: Vec<Stated>,
 }
@@ -87,6 +90,10 @@ impl Case {
             format!("{:.3},{confirmed:.3},{refuted:.3},{open:.3}", self.coverage),
             format!("{:.1},{:.1},{:.1}", deviation * 1e3, sd * 1e3, truth * 1e3),
             format!("{:.3},{:.3},{:.3},{:.1},{:.0}", r.seen, r.empty, r.shared, r.worst_m * 1e3, r.beams),
+            self.reason.map_or("-,,,".into(), |r| {
+                let hider = r.hider_is_right.map_or("", |is| if is { "1" } else { "0" });
+                format!("{},{:.2},{:.2},{hider}", r.said.name(), r.share, r.largest)
+            }),
             format!("{},{}", self.hidden_by.as_deref().map_or("-".into(), text), {
                 self.shared_with.as_deref().map_or("-".into(), text)
             }),
@@ -97,7 +104,7 @@ impl Case {
 
 const HEAD: &str = "scene,model,delivery,is_right,id,class,name,kind,done,dx_mm,dy_mm,dz_mm,loa,right,said,best_loa,\
     coverage,confirmed,refuted,open,deviation_mm,deviation_sd_mm,true_deviation_mm,seen_share,empty_share,\
-    shared_share,worst_mm,beams,hidden_by,shared_with";
+    shared_share,worst_mm,beams,reason,reason_share,largest_share,hider_is_right,hidden_by,shared_with";
 
 /// Writes a line for every case; the wrong ones first.
 pub fn write(path: &Path, cases: &[Case]) -> Result<()> {

@@ -4,7 +4,7 @@ use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::verify::{Evidence, EvidenceModel, Question, SurveyObjects, Threads, Verdict, VerdictRule};
+use asbuilt_core::verify::{Evidence, EvidenceModel, Judged, Question, SurveyObjects, Threads, Verdict, VerdictRule};
 use asbuilt_fieldscan::Receiver;
 use rayon::prelude::*;
 
@@ -14,6 +14,7 @@ use super::observer::{MAX_INCIDENCE, Truth, truths};
 use super::patches::Delivery;
 use super::right::right;
 use super::scene::{DATUM_M, Scene};
+use super::why::{Kept, ReasonSaid};
 use crate::case::{Estimate, Stated};
 
 /// Most samples of an object whose belief is compared with the truth.
@@ -28,25 +29,30 @@ pub fn cases(scene: &Scene) -> Result<Vec<Case>> {
     let returns = scene.returns();
     let mut out = Vec::new();
     for delivery in [Delivery::Stations, Delivery::Merged] {
-        let evidence = evidence(scene, delivery)?;
+        let verified = verified(scene, delivery)?;
         let judged: Vec<Case> = numbers
             .par_iter()
             .filter(|i| !scene.layout.objects[**i].twin)
-            .map(|&i| case(scene, delivery, i, (&truths[i], returns[i]), &evidence[i]))
+            .map(|&i| case(scene, delivery, i, (&truths[i], returns[i]), &verified[i]))
             .collect::<Result<_>>()?;
         out.extend(judged);
     }
     Ok(out)
 }
 
-/// The evidence of every object, together.
-pub fn evidence(scene: &Scene, delivery: Delivery) -> Result<Vec<Evidence>> {
+/// The evidence and the verdict of every object, together.
+pub fn verified(scene: &Scene, delivery: Delivery) -> Result<Vec<(Evidence, Judged)>> {
     let patches = delivery.patches(&scene.scans)?;
     let objects = &scene.layout.objects;
     let solids: Vec<(Solid, EvidenceModel)> =
         objects.iter().enumerate().map(|(i, o)| (o.solid.clone(), model(scene, i))).collect();
     let objects = SurveyObjects::new(solids, Threads::Pool, NEVER)?;
-    Ok(objects.evidence(&patches, 32, Threads::Pool, NEVER)?)
+    Ok(objects.verified(&patches, 32, &VerdictRule::default(), Threads::Pool, NEVER)?)
+}
+
+/// The evidence of every object alone.
+pub fn evidence(scene: &Scene, delivery: Delivery) -> Result<Vec<Evidence>> {
+    Ok(verified(scene, delivery)?.into_iter().map(|(evidence, _)| evidence).collect())
 }
 
 /// What a surveyor tells: the scanner's data sheet (a white surface at 10 m), the registration's report. Classes
@@ -74,11 +80,11 @@ fn case(
     delivery: Delivery,
     number: usize,
     (truths, returns): (&[Truth], usize),
-    evidence: &Evidence,
+    (evidence, judged): &(Evidence, Judged),
 ) -> Result<Case> {
     let (object, fate) = (&scene.layout.objects[number], &scene.fates[number]);
     let model = *evidence.model();
-    let summary = evidence.summary(&model.question, &VerdictRule::default(), NEVER)?;
+    let summary = &judged.summary;
     let mut right = right(object, fate, (truths, returns), loa(scene, number).upper(), border(scene));
     if delivery == Delivery::Merged {
         // Without rays nothing is seen to be empty.
@@ -104,6 +110,10 @@ fn case(
         deviation: summary.deviation,
         true_deviation: deviation,
         hidden_by: right.hidden_by.map(|owner| owner_name(scene, owner)),
+        reason: summary.unseen.map(|unseen| {
+            let kept: Vec<Kept> = truths.iter().filter_map(|t| t.kept).collect();
+            ReasonSaid::of(unseen.main(), judged.hidden_by, &kept)
+        }),
         shared_with: most_shared(scene, truths),
         right,
         stated,

@@ -28,6 +28,7 @@ mod samples;
 mod scene;
 mod score;
 mod standing;
+mod why;
 
 use std::path::Path;
 use std::time::Instant;

@@ -7,6 +7,7 @@ use asbuilt_fieldscan::{Optics, View};
 
 use super::samples::Sample;
 use super::scene::Scene;
+use super::why::{Kept, kept};
 
 /// Drawn surfaces nearer than this to each other, and parallel, are one to a survey, metres.
 pub const SAME_PLACE_M: f64 = 0.01;
@@ -43,6 +44,8 @@ pub struct Truth {
     pub beams_through: f64,
     /// Who stands before its drawn place as seen from the station nearest to it, where no station sees it.
     pub hidden_by: Option<u32>,
+    /// What kept all stations from its drawn place.
+    pub kept: Option<Kept>,
 }
 
 impl Truth {
@@ -90,6 +93,7 @@ fn truth(scene: &Scene, number: usize, sample: &Sample) -> Truth {
             out.beams_on += on.map_or(0.0, |s| look.beams(&s, sample.area));
         }
     }
+    out.kept = Some(kept(scene, number, sample, out.shared_with.is_some()));
     if out.beams_on > 0.0 || out.beams_through > 0.0 {
         out.hidden_by = None;
     }
@@ -97,24 +101,25 @@ fn truth(scene: &Scene, number: usize, sample: &Sample) -> Truth {
 }
 
 /// A station looking at places.
-struct Look<'a> {
-    scene: &'a Scene,
-    view: View<'a>,
-    eye: Vec3,
+pub struct Look<'a> {
+    pub scene: &'a Scene,
+    pub view: View<'a>,
+    pub eye: Vec3,
     /// Triangles do not tell their outside.
-    both_sides: bool,
+    pub both_sides: bool,
 }
 
 /// The line from a station to a place that it looks at from in front.
-struct Sight {
+pub struct Sight {
     direction: Vec3,
-    range: f64,
+    pub range: f64,
     /// Cosine of the angle of incidence.
-    cos: f64,
+    pub cos: f64,
     glass: bool,
 }
 
-enum Outcome {
+/// What a beam at a drawn place does.
+pub enum Outcome {
     Through,
     There,
     /// By whose surface.
@@ -126,15 +131,20 @@ enum Outcome {
 impl Look<'_> {
     /// The line to a place; `None` where it is seen from behind, too steeply, or below the tripod.
     fn at(&self, place: &Vec3, normal: &Vec3, glass: bool) -> Option<Sight> {
+        let least = if glass { (0.8 * MAX_PANE_INCIDENCE).cos() } else { MAX_INCIDENCE.cos() };
+        self.towards(place, normal).filter(|s| s.cos > least).map(|s| Sight { glass, ..s })
+    }
+
+    /// The same at any incidence from in front, as if nothing were of glass.
+    pub fn towards(&self, place: &Vec3, normal: &Vec3) -> Option<Sight> {
         let sight = place - self.eye;
         let range = sight.norm();
         let direction = sight / range;
         let towards = -direction.dot(normal);
         let cos = if self.both_sides { towards.abs() } else { towards };
-        let least = if glass { (0.8 * MAX_PANE_INCIDENCE).cos() } else { MAX_INCIDENCE.cos() };
         let scanner = &self.scene.plan.scanner;
         let is_in_view = direction.z > scanner.min_elevation.sin() && range < scanner.max_range;
-        (cos > least && is_in_view).then_some(Sight { direction, range, cos, glass })
+        (cos > 0.0 && is_in_view).then_some(Sight { direction, range, cos, glass: false })
     }
 
     fn beams(&self, sight: &Sight, area: f64) -> f64 {
@@ -142,7 +152,7 @@ impl Look<'_> {
     }
 
     /// What a beam at a drawn place does.
-    fn outcome(&self, sight: &Sight) -> Outcome {
+    pub fn outcome(&self, sight: &Sight) -> Outcome {
         let Some((range, power, owner)) = self.first_that_answers(sight) else { return Outcome::Nothing };
         let behind = (range - sight.range) * sight.cos;
         match () {

@@ -9,7 +9,7 @@ use anyhow::{Context, Result};
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
-use asbuilt_core::verify::{EvidenceModel, Question, Summary, SurveyObjects, Threads, Verdict, VerdictRule};
+use asbuilt_core::verify::{Evidence, EvidenceModel, Question, Summary, SurveyObjects, Threads, Verdict, VerdictRule};
 use asbuilt_read::ifc::read_within;
 use asbuilt_read::packing::pack;
 use asbuilt_read::{ReadOptions, read_scans};
@@ -155,11 +155,9 @@ impl Room {
         let objects: Vec<(Solid, EvidenceModel)> = solids.iter().map(|s| (s.clone(), model)).collect();
         let objects = SurveyObjects::new(objects, Threads::Pool, NEVER)?;
         let patches: Vec<&Vec<u8>> = stations.iter().flat_map(|s| &self.stations[*s].1).collect();
-        let judge = |evidence: asbuilt_core::verify::Evidence| {
-            let summary = evidence.summary(&model.question, &VerdictRule::default(), NEVER)?;
-            let faces = evidence.faces(&model.question, NEVER)?;
-            let face = faces.iter().find(|f| f.deviation.is_some() && f.deviation == summary.deviation);
-            let normal = face.map(|f| f.normal);
+        let judge = |(evidence, said): (Evidence, asbuilt_core::verify::Judged)| {
+            let summary = said.summary;
+            let normal = summary.deviation_face.map(|(_, normal)| normal);
             let mut deviations = Vec::new();
             evidence.for_each_sample(&model.question, NEVER, |_, sample_normal, belief| {
                 let is_of_face = normal.is_some_and(|n| n.dot(sample_normal) > 0.99) && belief.seen;
@@ -167,7 +165,8 @@ impl Room {
             })?;
             Ok(Judged { summary, normal, deviations })
         };
-        objects.evidence(&patches, 32, Threads::Pool, NEVER)?.into_iter().map(judge).collect()
+        let rule = VerdictRule::default();
+        objects.verified(&patches, 32, &rule, Threads::Pool, NEVER)?.into_iter().map(judge).collect()
     }
 }
 

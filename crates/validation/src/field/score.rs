@@ -48,6 +48,16 @@ impl<'a> Score<'a> {
             ("built as drawn and said to deviate".into(), Share::of(as_drawn, is_off).text()),
             ("open doors said to be absent".into(), Share::of(open, |c| c.said == Verdict::Absent).text()),
             ("unobserved, though an ideal observer could decide".into(), count(&Case::is_declined)),
+            ("reason of unobserved objects right".into(), {
+                Share::of(all().filter_map(|c| c.reason), |r| r.is_right()).text()
+            }),
+            ("object that hides them right".into(), {
+                Share::of(all().filter_map(|c| c.reason?.hider_is_right), |is| *is).text()
+            }),
+            ("unobserved without a reason".into(), {
+                let unobserved = all().filter(|c| c.said == Verdict::Unobserved);
+                Share::of(unobserved, |c| c.reason.is_none()).text()
+            }),
             ("expected calibration error".into(), format!("{:.4}", self.calibration(delivery))),
             ("largest error of the ten bins below".into(), format!("{:.3}", self.worst_bin(delivery))),
             ("95 % interval of the object's deviation holds".into(), self.intervals(delivery).text()),

@@ -39,7 +39,7 @@ impl Claims {
         }
     }
 
-    /// An object is drawn this far behind what the beam met; farther than [`MAX_CLAIM_M`] is none of its business.
+    /// An object is drawn this far behind what the beam met, metres; farther than [`MAX_CLAIM_M`] is none of its business.
     pub fn stake(&mut self, slot: usize, object: u32, deviation: f32) {
         if deviation.abs() > MAX_CLAIM_M || deviation.is_nan() {
             return;

@@ -63,7 +63,7 @@ impl DrawnObject {
 
     /// Which points of a cloud without origin lie near which face.
     fn near_faces(&self, header: &PatchHeader, points: &[Vec3], interrupt: Interrupt) -> Result<Vec<(u32, NearFace)>> {
-        let around = self.bounds.expanded(self.model.reach());
+        let around = self.bounds.expanded(self.model.band());
         let mut near = Vec::new();
         for (i, point) in points.iter().enumerate() {
             if i % 64 == 0 {
@@ -77,10 +77,10 @@ impl DrawnObject {
         Ok(near)
     }
 
-    /// The face that a point may be the surface of.
+    /// The face that a point, world metres, may be the surface of.
     pub fn near_face(&self, point_world: &Vec3) -> Option<NearFace> {
         let (in_front, behind) = (self.model.band_in_front(), self.model.band_behind());
-        let face = self.target.near_face(point_world, self.model.reach());
+        let face = self.target.near_face(point_world, self.model.band());
         face.filter(|face| (-behind..=in_front).contains(&face.height))
     }
 

@@ -56,7 +56,7 @@ impl Collector {
 
     /// Whether a point is known well enough to say where in the search band it lies.
     fn tells(&self, point: &UncertainPoint, face: &NearFace) -> bool {
-        face.normal.dot(&(point.covariance * face.normal)).max(0.0).sqrt() <= MAX_SD * self.drawn.model.reach()
+        face.normal.dot(&(point.covariance * face.normal)).max(0.0).sqrt() <= MAX_SD * self.drawn.model.band()
     }
 
     /// Adds the points near a face that no other object explains.

@@ -10,9 +10,9 @@ use super::threads::Threads;
 use crate::geometry::{Aabb, Solid, Vec3};
 use crate::num::hilbert;
 use crate::verify::aim::Target;
-use crate::verify::evidence::{Evidence, Samples};
-use crate::verify::model::{EvidenceModel, as_designed};
-use crate::verify::sights::{Looked, Owner, Sights};
+use crate::verify::evidence::Samples;
+use crate::verify::model::EvidenceModel;
+use crate::verify::sights::{Looked, Owner};
 use crate::{Interrupt, Result, poll};
 
 /// Objects that are worked on together have about as many samples: 240 MB.
@@ -93,7 +93,7 @@ impl SurveyObjects {
         self.batches_of(BATCH_SAMPLES)
     }
 
-    /// The same with so many samples. What is found out of an object does not depend on its batch.
+    /// The same with so many samples, a number without unit. What is found out of an object does not depend on its batch.
     pub fn batches_of(&self, max_samples: f64) -> Vec<Batch> {
         let all = Aabb::around(&self.drawn.iter().map(|o| o.bounds.centre()).collect::<Vec<_>>());
         let cell = |o: &DrawnObject| {
@@ -135,29 +135,24 @@ impl SurveyObjects {
         self.boxes.locate_in_envelope_intersecting(&AABB::from_corners(bounds.min, bounds.max)).map(|b| b.data)
     }
 
-    /// Looks a second time at an object that stayed unobserved, and notes in its evidence why; returns the object that
-    /// hides most of what is hidden by one. `sights`: of all the survey's patches.
-    pub fn second_look(
+    /// Looks a second time at an object, beside all others.
+    pub(in crate::verify) fn look_again(
         &self,
         object: u32,
-        evidence: &mut Evidence,
-        sights: &Sights,
-        interrupt: Interrupt,
-    ) -> Result<Option<u32>> {
+        look: impl FnOnce(&Looked<'_>) -> Result<()>,
+    ) -> Result<()> {
         let drawn = &self.drawn[object as usize];
         let owner = |met_world: &Vec3, direction: &Vec3| match self.owner(met_world, direction, AS_BUILT_M) {
             Some(owner) if self.body(owner) == self.body(object) => Owner::Own,
             Some(owner) => Owner::Other(owner),
             None => Owner::Nobody,
         };
-        let is_anothers_too = |met_world: &Vec3, direction: &Vec3| {
-            let near = self.near_surfaces(met_world, direction, as_designed(&drawn.model));
+        let is_anothers = |met_world: &Vec3, direction: &Vec3, within: f64| {
+            let near = self.near_surfaces(met_world, direction, within);
             near.into_iter().any(|(_, i)| self.body(i) != self.body(object))
         };
         let Target { two_sided, has_optional, .. } = drawn.target;
-        let looked =
-            Looked { owner: &owner, is_anothers_too: &is_anothers_too, two_sided, has_optional, model: &drawn.model };
-        sights.second_look(evidence, &looked, interrupt)
+        look(&Looked { owner: &owner, is_anothers: &is_anothers, two_sided, has_optional, model: &drawn.model })
     }
 
     /// The object drawn nearest to what a beam met, within `within` metres.

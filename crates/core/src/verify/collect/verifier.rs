@@ -45,11 +45,13 @@ impl<'a> Verifier<'a> {
     ) -> Result<()> {
         let unpacked = self.unpacked(patches, sights.is_some(), interrupt)?;
         if let Some(sights) = &mut sights {
-            let views = unpacked.iter().filter_map(|u| match &u.beams {
-                UnpackedBeams::FromOne(view) => Some(view),
-                _ => None,
-            });
-            views.into_iter().try_for_each(|view| poll(interrupt).map(|()| sights.add(view)))?;
+            for patch in &unpacked {
+                poll(interrupt)?;
+                match &patch.beams {
+                    UnpackedBeams::FromOne(view) => sights.add(view),
+                    _ => sights.add_unknown(),
+                }
+            }
         }
         let aims = |object: &DrawnObject| -> Result<Vec<Aim>> {
             unpacked.iter().map(|patch| object.aim(patch, interrupt)).collect()

@@ -1,5 +1,6 @@
 //! Reading stored evidence, of this layout and of older ones: see `write` for what they are.
 
+use super::found_face::FoundFace;
 use super::header::EvidenceHeader;
 use super::samples::{BLOCK, SampleBlock, Samples};
 use super::station::{StationEvidence, StationOrigin};
@@ -39,9 +40,10 @@ impl Evidence {
             return Err(r.bad("its stations are not in order"));
         }
         let unseen = h.is_unseen.then(|| Unseen::read(&mut r)).transpose()?;
+        let found = h.is_found.then(|| FoundFace::read(&mut r, samples.normals.len())).transpose()?;
         r.finish()?;
         let (fingerprint, bounds, knows_neighbours) = (h.fingerprint, h.bounds, h.knows_neighbours);
-        Ok(Self { model: h.model, fingerprint, bounds, samples, knows_neighbours, unseen, stations })
+        Ok(Self { model: h.model, fingerprint, bounds, samples, knows_neighbours, unseen, found, stations })
     }
 }
 
@@ -52,6 +54,8 @@ struct RawHeader {
     knows_neighbours: bool,
     /// Why it was not seen follows the stations.
     is_unseen: bool,
+    /// The face that was found elsewhere follows that.
+    is_found: bool,
     fingerprint: u32,
     /// Faces, blocks, samples and stations.
     counts: [u32; 4],
@@ -70,11 +74,10 @@ fn read_header(bytes: &[u8]) -> Result<RawHeader> {
         return Err(Error::Version { ty: TY, found: version, known: Evidence::VERSION });
     }
     let (two_sided, known) = (r.u8()? != 0, r.u8()?);
-    let (knows_neighbours, is_unseen) = match known {
-        0..=1 => (known == 1, false),
-        2..=3 if version > LAST_FLAT => (known == 3, true),
-        _ => return Err(r.bad(format!("note {known}"))),
-    };
+    if known > if version > LAST_FLAT { 7 } else { 1 } {
+        return Err(r.bad(format!("note {known}")));
+    }
+    let [knows_neighbours, is_unseen, is_found] = [1, 2, 4].map(|bit| known & bit != 0);
     if version > LAST_FLAT {
         r = sections::header(bytes, TY, NEVER)?;
     }
@@ -87,7 +90,18 @@ fn read_header(bytes: &[u8]) -> Result<RawHeader> {
         return Err(r.bad("a coordinate is not finite"));
     }
     let model = EvidenceModel::read(&mut r)?;
-    Ok(RawHeader { version, two_sided, knows_neighbours, is_unseen, fingerprint, counts, reference, bounds, model })
+    Ok(RawHeader {
+        version,
+        two_sided,
+        knows_neighbours,
+        is_unseen,
+        is_found,
+        fingerprint,
+        counts,
+        reference,
+        bounds,
+        model,
+    })
 }
 
 /// Newest version without sections.

@@ -57,7 +57,7 @@ impl Unseen {
         (all > 0).then(|| Self { shares: counts.map(|n| n as f32 / all as f32) })
     }
 
-    /// In the order of [`Why::ALL`].
+    /// Shares without unit, in the order of [`Why::ALL`].
     pub fn shares(&self) -> [f64; 7] {
         self.shares.map(f64::from)
     }

@@ -1,5 +1,6 @@
 //! Evidence as a value: samples and, per station, the sums that belief is made from.
 
+use super::found_face::FoundFace;
 use super::samples::{BLOCK, Samples};
 use super::station::{StationEvidence, StationOrigin};
 use super::unseen::Unseen;
@@ -24,6 +25,8 @@ pub struct Evidence {
     pub(in crate::verify) knows_neighbours: bool,
     /// Why it stayed unobserved, where somebody looked a second time.
     pub(in crate::verify) unseen: Option<Unseen>,
+    /// Where it stands instead of its place, where somebody looked a second time.
+    pub(in crate::verify) found: Option<FoundFace>,
     /// Ordered by number, then origin, so that equal evidence has equal bytes.
     pub(in crate::verify) stations: Vec<StationEvidence>,
 }
@@ -39,7 +42,9 @@ impl Evidence {
         let samples = Samples::on(solid, model.spacing, interrupt)?;
         let fingerprint = solid.fingerprint(interrupt)?;
         let (bounds, stations) = (solid.bounds(), Vec::new());
-        Ok(Self { model, fingerprint, bounds, samples, knows_neighbours, unseen: None, stations })
+        // What lies farther off is no sum; a second look finds it.
+        let model = EvidenceModel { reach: EvidenceModel::default().reach, ..model };
+        Ok(Self { model, fingerprint, bounds, samples, knows_neighbours, unseen: None, found: None, stations })
     }
 
     /// The parameters.
@@ -55,6 +60,11 @@ impl Evidence {
     /// Why the object stayed unobserved, where somebody looked a second time.
     pub fn unseen(&self) -> Option<Unseen> {
         self.unseen
+    }
+
+    /// The face that stands farther off than sums tell, where somebody looked a second time.
+    pub fn found(&self) -> Option<FoundFace> {
+        self.found
     }
 
     /// Checksum of the solid that the samples lie on.
@@ -90,7 +100,7 @@ impl Evidence {
 
     /// The same samples and parameters; no station yet.
     pub fn without_stations(&self) -> Self {
-        Self { samples: self.samples.clone(), unseen: None, stations: Vec::new(), ..*self }
+        Self { samples: self.samples.clone(), unseen: None, found: None, stations: Vec::new(), ..*self }
     }
 
     /// Fails where stations and samples together are more than a value may hold.
@@ -118,7 +128,7 @@ impl Evidence {
         self.samples.join_surfaces(&other.samples);
         self.knows_neighbours &= other.knows_neighbours;
         if !other.stations.is_empty() {
-            self.unseen = None;
+            (self.unseen, self.found) = (None, None);
         }
         for theirs in &other.stations {
             let i = self.station_index(theirs.id, theirs.place);

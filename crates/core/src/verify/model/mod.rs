@@ -29,7 +29,7 @@ pub use kind::ModelKind;
 pub(super) use kind::with_model;
 pub(super) use meyer2022::Meyer2022;
 pub(super) use outcome::BeamOutcome;
-pub(super) use ownership::{as_designed, may_be_anothers};
+pub(super) use ownership::{RATHER, as_designed, may_be_anothers, three_sigma};
 pub use parameters::EvidenceModel;
 pub use question::Question;
 pub(super) use statement::{Statement, StationObservation};

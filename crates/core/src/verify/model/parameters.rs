@@ -41,6 +41,9 @@ pub struct EvidenceModel {
     pub lambda: f64,
     /// Ray model: half-width of the occupied band in units of 1/λ.
     pub c: f64,
+    /// How far from its drawn place an object is looked for by a second look, metres: evidence itself does not depend on
+    /// it.
+    pub reach: f64,
     /// Range noise by intensity, where patches have it; `None`: `sigma_range` holds for all beams.
     pub intensity: Option<IntensityNoise>,
 }
@@ -63,6 +66,7 @@ impl Default for EvidenceModel {
             kappa: RayModel::LASER.kappa,
             lambda: RayModel::LASER.lambda,
             c: RayModel::LASER.c,
+            reach: 0.3,
             intensity: None,
         }
     }
@@ -87,6 +91,9 @@ const FIELDS: [ParameterRow; 13] = [
     ("c", |m| &mut m.c, 0.01, 100.0, "between 0.01 and 100"),
 ];
 
+/// The same of the one that is not stored with the sums.
+const REACH: ParameterRow = ("reach", |m| &mut m.reach, 0.0, 2.0, "between 0 and 2 m");
+
 impl EvidenceModel {
     /// Widest spacing of samples, metres.
     pub const MAX_SPACING_M: f64 = 10.0;
@@ -110,6 +117,7 @@ impl EvidenceModel {
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
         let &(what, place, min, max, expected) = FIELDS
             .iter()
+            .chain([&REACH])
             .find(|f| f.0 == name)
             .ok_or_else(|| Error::argument("the parameter", "one of ab_evidence_model's", format!("'{name}'")))?;
         if !(min..=max).contains(&value) {
@@ -144,9 +152,14 @@ impl EvidenceModel {
         (self.question.tolerance() + 0.05).clamp(0.1, JOIN_MARGIN_M)
     }
 
-    /// How far from the drawn surface anything is looked for, metres.
-    pub fn reach(&self) -> f64 {
+    /// How far from the drawn surface anything is added up, metres.
+    pub fn band(&self) -> f64 {
         self.band_behind().max(self.band_in_front())
+    }
+
+    /// How far from the drawn surface anything is looked for, metres.
+    pub fn farthest(&self) -> f64 {
+        self.reach.max(self.band())
     }
 
     /// The ray model's parameters.
@@ -193,6 +206,9 @@ impl EvidenceModel {
         for (name, value) in Self::names().zip(self.numbers()) {
             out += &format!(" {name}={}", number(value));
         }
+        if self.reach != Self::default().reach {
+            out += &format!(" reach={}", number(self.reach));
+        }
         if let Some(noise) = self.intensity {
             out += &format!(" intensity={}^{}", noise.reference, number(noise.exponent()));
         }
@@ -231,6 +247,9 @@ mod tests {
         m.question.loa = Loa::Loa40;
         m.kind = ModelKind::Meyer2022;
         m.set("sigma_range", 0.1 + 0.2).unwrap();
+        m.set("reach", 0.5).unwrap();
+        assert_eq!(EvidenceModel::from_text(&m.to_text()).unwrap(), m);
+        m.set("reach", 0.3).unwrap();
         m.intensity = Some(IntensityNoise::new(1200, 1.5).unwrap());
         let mut bytes = Vec::new();
         m.write(&mut bytes);

@@ -20,8 +20,9 @@ pub enum Owner {
 pub struct Looked<'a> {
     /// Whose surface is drawn at a place, as a beam in this direction meets it. World metres.
     pub owner: &'a dyn Fn(&Vec3, &Vec3) -> Owner,
-    /// Whether the surface of another object is drawn as near to a place as a survey can tell.
-    pub is_anothers_too: &'a dyn Fn(&Vec3, &Vec3) -> bool,
+    /// Whether the surface of another object is drawn within so many metres of a place, as a beam in this direction meets
+    /// it.
+    pub is_anothers: &'a dyn Fn(&Vec3, &Vec3, f64) -> bool,
     /// Its faces are seen from both sides.
     pub two_sided: bool,
     /// Some of its parts are panes or leaves.
@@ -96,7 +97,9 @@ impl Looked<'_> {
         }
         match () {
             () if cos < self.model.max_incidence.cos() => Kept::Steep,
-            () if height.abs() <= as_designed && (self.is_anothers_too)(&met_world, &beam_direction) => Kept::Shared,
+            () if height.abs() <= as_designed && (self.is_anothers)(&met_world, &beam_direction, as_designed) => {
+                Kept::Shared
+            }
             // What passes a pane, or where a leaf is drawn, says nothing of it.
             () if height < -as_designed && self.has_optional => Kept::NothingReturned,
             () => Kept::Reached,

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use crate::geometry::Vec3;
 
 /// Height of a row of cells, and width of a cell, radians: 10 cm at 10 m.
-const CELL: f64 = 0.01;
+const CELL: f64 = SightMap::CELL;
 
 /// One beam a cell, the one nearest to its middle, so that the order in which beams come does not matter.
 #[derive(Debug)]
@@ -34,6 +34,9 @@ impl Sight {
 }
 
 impl SightMap {
+    /// Width of a cell, radians.
+    pub const CELL: f64 = 0.01;
+
     /// Of a station at `origin_world`, metres, that looked nowhere yet.
     pub fn new(origin_world: Vec3) -> Self {
         let count = (PI / CELL).ceil() as usize;

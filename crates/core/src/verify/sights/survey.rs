@@ -3,10 +3,11 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
+use super::far_face::FarFaces;
 use super::second_look::Looked;
 use super::sight_map::SightMap;
 use crate::scan::RangeImage;
-use crate::verify::evidence::{Evidence, Unseen};
+use crate::verify::evidence::{Evidence, FoundFace, Unseen, Why};
 use crate::{Interrupt, Result, poll_now_and_then};
 
 /// Stations that are remembered, at 3 MB each; what only later ones looked at counts as not looked at.
@@ -19,6 +20,8 @@ const MAX_LOOKS: usize = 2_000;
 pub struct Sights {
     /// By station and origin.
     maps: BTreeMap<(i64, [u64; 3]), SightMap>,
+    /// Beams came of which nobody knows, or none remembers, where they start.
+    are_some_unknown: bool,
 }
 
 impl Sights {
@@ -26,7 +29,7 @@ impl Sights {
     pub(in crate::verify) fn add(&mut self, view: &RangeImage) {
         let key = (view.header.station, view.header.origin.map(f64::to_bits).into());
         if self.maps.len() >= MAX_STATIONS && !self.maps.contains_key(&key) {
-            return;
+            return self.add_unknown();
         }
         let map = self.maps.entry(key).or_insert_with(|| SightMap::new(view.header.origin));
         for slot in (0..view.len()).step_by(SightMap::stride(view.step())) {
@@ -34,26 +37,49 @@ impl Sights {
         }
     }
 
-    /// Looks a second time at the object of which `evidence` is, and notes there why it was not seen; returns the object
-    /// that hides most of what is hidden by one.
-    pub(in crate::verify) fn second_look(
+    /// Remembers that there are beams which do not start at one known place.
+    pub(in crate::verify) fn add_unknown(&mut self) {
+        self.are_some_unknown = true;
+    }
+
+    /// For an object that was not found where it is drawn, or without a number: its face that stands within the model's
+    /// reach of there.
+    pub(in crate::verify) fn far_face(
         &self,
-        evidence: &mut Evidence,
+        evidence: &Evidence,
         looked: &Looked<'_>,
         interrupt: Interrupt,
-    ) -> Result<Option<u32>> {
+    ) -> Result<Option<FoundFace>> {
+        let maps: Vec<&SightMap> = self.maps.values().collect();
+        FarFaces { looked, maps: &maps, evidence, stride: stride(evidence) }.find(interrupt)
+    }
+
+    /// Why the object of which `evidence` is was not seen, and the object that hides most of what is hidden by one.
+    pub(in crate::verify) fn unseen(
+        &self,
+        evidence: &Evidence,
+        looked: &Looked<'_>,
+        interrupt: Interrupt,
+    ) -> Result<(Option<Unseen>, Option<u32>)> {
         let samples = &evidence.samples;
         let maps: Vec<&SightMap> = self.maps.values().collect();
         let (mut counts, mut hiders) = ([0u32; 7], BTreeMap::new());
-        let stride = samples.len().div_ceil(MAX_LOOKS).max(1);
-        for (i, face) in samples.face_of_each().enumerate().step_by(stride) {
-            poll_now_and_then(i / stride, interrupt)?;
+        let stride = stride(evidence);
+        for (round, (i, face)) in samples.face_of_each().enumerate().step_by(stride).enumerate() {
+            poll_now_and_then(round, interrupt)?;
             let (why, hider) = looked.why(&maps, &samples.position(i), &samples.normals[face]);
             counts[why as usize] += 1;
             hider.into_iter().for_each(|h| *hiders.entry(h).or_insert(0u32) += 1);
         }
-        evidence.unseen = Unseen::of(&counts);
         let most = hiders.into_iter().max_by_key(|(object, n)| (*n, Reverse(*object)));
-        Ok(most.map(|(object, _)| object))
+        // Whoever was not looked at from a known place may have been from another.
+        let is_known = |unseen: &Unseen| !self.are_some_unknown || unseen.main() != Why::NotLookedAt;
+        let unseen = Unseen::of(&counts).filter(is_known);
+        Ok((unseen, most.filter(|_| unseen.is_some()).map(|(object, _)| object)))
     }
+}
+
+/// Of so many samples of an object one is looked at a second time.
+fn stride(evidence: &Evidence) -> usize {
+    evidence.samples.len().div_ceil(MAX_LOOKS).max(1)
 }

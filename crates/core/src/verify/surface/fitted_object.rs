@@ -6,7 +6,7 @@ use super::fitted_surface::FittedSurface;
 use super::observations::{Observations, SeenSample};
 use super::station_shares::StationShares;
 use super::surface_trend::SurfaceTrend;
-use crate::verify::evidence::Evidence;
+use crate::verify::evidence::{Evidence, FoundFace};
 use crate::verify::model::EvidenceModel;
 use crate::{Interrupt, Result, poll, room};
 
@@ -26,6 +26,8 @@ pub struct FittedObject {
     pub is_slim: bool,
     /// Samples in front of which something stands that is not the object's own surface.
     pub in_front_unexplained: u64,
+    /// The face that a second look found elsewhere.
+    pub found: Option<FoundFace>,
 }
 
 impl FittedObject {
@@ -61,7 +63,7 @@ impl FittedObject {
         let in_front_unexplained = observations.in_front_unseen + seen_in_front;
         let faces = FittedFace::all(e, &observations, &on_surface, &surfaces, model, interrupt)?;
         let is_slim = e.samples.is_slim();
-        Ok(Self { observations, on_surface, surfaces, whole, faces, is_slim, in_front_unexplained })
+        Ok(Self { observations, on_surface, surfaces, whole, faces, is_slim, in_front_unexplained, found: e.found })
     }
 }
 

@@ -19,7 +19,10 @@ impl Judgement {
     /// Judges at the tolerance and confidence of `model`.
     pub fn of(fitted: &FittedObject, model: &EvidenceModel, rule: &VerdictRule, interrupt: Interrupt) -> Result<Self> {
         let tally = VerdictTally::of(fitted, model, rule, interrupt)?;
-        Ok(Self { reason: decide(&tally, measures_deviations(model), rule), tally })
+        let reason = decide(&tally, measures_deviations(model), rule);
+        let elsewhere = tally.found_elsewhere(model.question.tolerance()).map(Reason::Elsewhere);
+        let reason = elsewhere.filter(|_| reason != Reason::Contradiction).unwrap_or(reason);
+        Ok(Self { reason, tally })
     }
 
     pub fn verdict(&self) -> Verdict {
@@ -29,7 +32,18 @@ impl Judgement {
     /// Whether the object stands where its faces tell: surfaces met where an absent object should stand are not its
     /// own, and what stands beside its place does not tell how far off it is.
     pub fn stands(&self, rule: &VerdictRule) -> bool {
-        self.verdict() != Verdict::Absent && !self.tally.is_beside() && self.tally.totals.cover(rule)
+        let is_here = !matches!(self.reason, Reason::Empty | Reason::Elsewhere(_)) && !self.tally.is_beside();
+        is_here && self.tally.totals.cover(rule)
+    }
+
+    /// The face whose deviation stands for the object, with that and its σ, metres: one that was found elsewhere where
+    /// none at its place has a number.
+    pub fn face_meant(&self, stands: bool) -> Option<(usize, Option<(f64, f64)>)> {
+        let here = self.tally.face_meant().filter(|_| stands).map(|i| (i, self.tally.faces[i].deviation));
+        let has_none = here.is_none_or(|(_, deviation)| deviation.is_none());
+        let may_be_elsewhere = has_none && self.verdict() == Verdict::Deviating;
+        let elsewhere = self.tally.found.filter(|_| may_be_elsewhere);
+        elsewhere.map(|f| (f.face as usize, Some((f.deviation, f.sd)))).or(here)
     }
 }
 
@@ -92,6 +106,7 @@ mod tests {
             known_to_hold: true,
             is_slim: false,
             in_front_unexplained: 0,
+            found: None,
         }
     }
 

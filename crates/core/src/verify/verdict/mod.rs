@@ -3,7 +3,7 @@
 //! The counts of its faces ([`FaceReport`], [`Counts`]) make a `tally`, the tally a `reason`, the reason the
 //! [`Verdict`]: `judgement` asks the tally's questions in order, and the first that holds is the reason; `thresholds`
 //! has the numbers. [`Summary`] adds the finest class that holds, the deviation and the offset; `explain` says it in
-//! words. Beside the object: the [`SampleBelief`] at each sample, the [`Contribution`] of each station, and the
+//! words. Of one of many objects a [`Judged`] is told, after a second look. Beside the object: the [`SampleBelief`] at each sample, the [`Contribution`] of each station, and the
 //! evidence to be expected from a [`PlannedStation`].
 
 mod belief;
@@ -13,6 +13,7 @@ mod counts;
 mod explain;
 mod face_report;
 mod forecast;
+mod judged;
 mod judgement;
 mod reason;
 mod rule;
@@ -25,5 +26,6 @@ pub use contribution::Contribution;
 pub use counts::Counts;
 pub use face_report::FaceReport;
 pub use forecast::PlannedStation;
+pub use judged::Judged;
 pub use rule::{Verdict, VerdictRule};
 pub use summary::{Shares, Summary};

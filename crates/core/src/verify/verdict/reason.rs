@@ -15,6 +15,8 @@ pub enum Reason {
     Empty,
     /// It was, and something that no other object explains stands beside it.
     Beside,
+    /// More of this face was found elsewhere than of the object at its place.
+    Elsewhere(usize),
     /// This surface keeps the tolerance in too few of its places.
     Displaced(usize),
     /// This surface is mostly not there.
@@ -34,7 +36,9 @@ impl Reason {
             Self::TooLittleSeen | Self::TooLittleDecided | Self::TooUnsure => Verdict::Unobserved,
             Self::Contradiction => Verdict::Conflicting,
             Self::Empty => Verdict::Absent,
-            Self::Beside | Self::Displaced(_) | Self::SeenThrough(_) | Self::OutOfPlace => Verdict::Deviating,
+            Self::Beside | Self::Elsewhere(_) | Self::Displaced(_) | Self::SeenThrough(_) | Self::OutOfPlace => {
+                Verdict::Deviating
+            }
             Self::InPlace => Verdict::Confirmed,
         }
     }

@@ -47,6 +47,16 @@ pub struct Shares {
     pub conflict: f64,
 }
 
+/// Less than this share of an object that was seen leaves it open, as no number does.
+const LITTLE: f64 = 0.1;
+
+impl Summary {
+    /// Whether a second look may tell more: what was met, if anything, gives no number, or little was.
+    pub fn is_open(&self) -> bool {
+        self.verdict != Verdict::Conflicting && (self.deviation.is_none() || self.coverage < LITTLE)
+    }
+}
+
 impl Shares {
     fn of(totals: &Counts) -> Option<Self> {
         let seen = totals.seen as f64;
@@ -66,16 +76,15 @@ impl Evidence {
         let fitted = FittedObject::of(self, &model, interrupt)?;
         let judgement = Judgement::of(&fitted, &model, rule, interrupt)?;
         let (totals, stands) = (&judgement.tally.totals, judgement.stands(rule));
-        let meant = judgement.tally.face_meant().filter(|_| stands);
-        let face = meant.map(|number| (number, &judgement.tally.faces[number]));
+        let face = judgement.face_meant(stands);
         Ok(Summary {
             verdict: judgement.verdict(),
             best_loa: best_loa(&fitted, &judgement, &model, rule, interrupt)?,
             samples: totals.samples,
             coverage: if totals.samples > 0 { totals.seen as f64 / totals.samples as f64 } else { 0.0 },
             shares: Shares::of(totals),
-            deviation: face.and_then(|(_, f)| f.deviation),
-            deviation_face: face.map(|(number, f)| (number + 1, f.normal)),
+            deviation: face.and_then(|f| f.1),
+            deviation_face: face.map(|(number, _)| (number + 1, judgement.tally.faces[number].normal)),
             shift: if stands { shift_of(self, &fitted.faces, interrupt)? } else { None },
             unseen: self.unseen.filter(|_| judgement.verdict() == Verdict::Unobserved),
         })

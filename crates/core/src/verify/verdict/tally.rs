@@ -7,6 +7,7 @@ use super::thresholds::{
     CERTAINLY_OFF, LARGE_SHARE, MAX_ON_SURFACE_OF_ABSENT, MIN_BESIDE, MIN_EMPTY, MIN_SEEN_THROUGH, WELL_SEEN_SAMPLES,
     WELL_SEEN_SHARE,
 };
+use crate::verify::evidence::FoundFace;
 use crate::verify::model::EvidenceModel;
 use crate::verify::surface::{FittedObject, FittedSurface};
 use crate::{Interrupt, Result};
@@ -25,6 +26,8 @@ pub struct VerdictTally {
     pub is_slim: bool,
     /// Samples in front of which something stands that is not the object's own surface.
     pub in_front_unexplained: u64,
+    /// The face that a second look found elsewhere.
+    pub found: Option<FoundFace>,
 }
 
 impl VerdictTally {
@@ -46,7 +49,15 @@ impl VerdictTally {
             known_to_hold: fitted.whole.is_known_to_hold(model.question.tolerance()),
             is_slim: fitted.is_slim,
             in_front_unexplained: fitted.in_front_unexplained,
+            found: fitted.found,
         })
+    }
+
+    /// The face that stands elsewhere, out of tolerance, if more of the object was found there than at its
+    /// place. Metres.
+    pub fn found_elsewhere(&self, tolerance: f64) -> Option<usize> {
+        let more = |f: &FoundFace| f.deviation.abs() > tolerance && u64::from(f.samples) > self.totals.on_surface;
+        self.found.filter(more).map(|f| f.face as usize)
     }
 
     /// Whether most of what is decided was seen empty, and little of the object.

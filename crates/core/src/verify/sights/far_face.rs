@@ -1,0 +1,205 @@
+//! A face that stands farther off than its surface is looked for by the sums: a wall built 0.2 m beside its place.
+//!
+//! Where an object was not found, or without a number, its faces are held against where the beams of each station ended.
+//! What another object explains is left out. What is left is the face, displaced, if it is as large (a fourth of the
+//! face, and most of what is left), as flat, lies parallel to it, and does not go on beyond its outline.
+
+use std::collections::BTreeSet;
+
+use super::second_look::Looked;
+use super::sight_map::SightMap;
+use crate::geometry::Vec3;
+use crate::num::stats::median_and_spread;
+use crate::verify::evidence::{Evidence, FoundFace};
+use crate::verify::model::{EvidenceModel, RATHER, three_sigma};
+use crate::{Interrupt, Result, poll_now_and_then};
+
+/// Least share of a face that must be found.
+const MIN_FOUND: f64 = 0.25;
+/// Least share of what was met near a face, and is nobody else's, that must lie in one plane.
+const MIN_IN_PLANE: f64 = 0.6;
+/// Fewer samples are no face.
+const MIN_SAMPLES: usize = 10;
+/// Nor is less than this share of the object's samples.
+const MIN_OF_OBJECT: f64 = 0.03;
+/// Half as thick is a plane that was built, metres.
+const FLAT_M: f64 = 0.015;
+/// What is met this near to another drawn object may be it, metres.
+const CLAIMED_M: f64 = 0.1;
+/// Beside the outline it is asked so far off whether the surface goes on, metres; and farther by the width of a sight.
+const BESIDE_M: f64 = 0.08;
+/// A surface that goes on at more of these places is larger than the face.
+const MAX_GOES_ON: f64 = 0.5;
+/// Places beside each side of a face that are asked.
+const PROBES_A_SIDE: usize = 8;
+/// Standard deviation of a median against that of a mean, for a normal sample: √(π/2).
+const MEDIAN_SD: f64 = 1.2533;
+
+/// What one beam met near a face.
+#[derive(Debug, Clone, Copy)]
+struct Met {
+    sample: usize,
+    /// Along the outward normal, metres.
+    height: f64,
+    /// By which station's map.
+    map: usize,
+    /// Which beam: several samples may see the same.
+    met_scanner: [u32; 3],
+}
+
+/// The faces of an object and where beams ended.
+pub struct FarFaces<'a> {
+    pub looked: &'a Looked<'a>,
+    pub maps: &'a [&'a SightMap],
+    pub evidence: &'a Evidence,
+    /// Of so many samples one is looked at.
+    pub stride: usize,
+}
+
+impl FarFaces<'_> {
+    /// The face of which most was found.
+    pub fn find(&self, interrupt: Interrupt) -> Result<Option<FoundFace>> {
+        let samples = &self.evidence.samples;
+        let mut by_face = vec![Vec::new(); samples.normals.len()];
+        for (round, (i, face)) in samples.face_of_each().enumerate().step_by(self.stride).enumerate() {
+            poll_now_and_then(round, interrupt)?;
+            by_face[face].push(i);
+        }
+        let all: usize = by_face.iter().map(Vec::len).sum();
+        let mut best: Option<FoundFace> = None;
+        for (face, of_face) in by_face.iter().enumerate() {
+            let large = of_face.len() >= MIN_SAMPLES && of_face.len() as f64 >= MIN_OF_OBJECT * all as f64;
+            if !large || !self.is_plane(face) {
+                continue;
+            }
+            let found = self.find_face(face, of_face, interrupt)?;
+            best = best.into_iter().chain(found).max_by_key(|f| f.samples);
+        }
+        Ok(best)
+    }
+
+    /// Whether a face is no facet of a curved surface: of that one no distance of a facet tells.
+    fn is_plane(&self, face: usize) -> bool {
+        let surfaces = &self.evidence.samples.surface_of_face;
+        surfaces.iter().filter(|s| **s == surfaces[face]).count() == 1
+    }
+
+    fn find_face(&self, face: usize, of_face: &[usize], interrupt: Interrupt) -> Result<Option<FoundFace>> {
+        let normal = self.evidence.samples.normals[face];
+        let mut met = Vec::new();
+        for (round, &sample) in of_face.iter().enumerate() {
+            poll_now_and_then(round, interrupt)?;
+            met.extend(self.met_at(sample, &normal));
+        }
+        let near = met.len();
+        let plane = densest(met, FLAT_M.max(three_sigma(self.looked.model)));
+        let count = plane.len() as f64;
+        let is_face = plane.len() >= MIN_SAMPLES
+            && count >= MIN_FOUND * of_face.len() as f64
+            && count >= MIN_IN_PLANE * near as f64;
+        if !is_face {
+            return Ok(None);
+        }
+        let Some((deviation, sd)) = measured(&plane, self.looked.model) else { return Ok(None) };
+        if self.goes_on(of_face, &normal, deviation, &plane) {
+            return Ok(None);
+        }
+        let samples = (plane.len() * self.stride) as u32;
+        Ok(Some(FoundFace { face: face as u32, deviation, sd, samples }))
+    }
+
+    /// What the nearest station met near a sample, that no other object explains.
+    fn met_at(&self, sample: usize, normal: &Vec3) -> Option<Met> {
+        let place_world = self.evidence.samples.position(sample);
+        let near = self.maps.iter().enumerate().filter_map(|(map, sights)| {
+            let (range, height, met_scanner) = self.height(sights, &place_world, normal)?;
+            Some((range, Met { sample, height, map, met_scanner }))
+        });
+        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, met)| met)
+    }
+
+    /// How far away a place is from a station, and how far in front of it along `normal` the beam ended that was sent
+    /// there; `None` where it tells nothing. Metres.
+    fn height(&self, map: &SightMap, place_world: &Vec3, normal: &Vec3) -> Option<(f64, f64, [u32; 3])> {
+        let sight = place_world - map.origin_world;
+        let range = sight.norm();
+        let (direction, towards) = (sight / range, -sight.dot(normal) / range);
+        let cos = if self.looked.two_sided { towards.abs() } else { towards };
+        if cos < self.looked.model.max_incidence.cos() {
+            return None;
+        }
+        let beam = map.towards(&direction)?;
+        let met = beam.met()?;
+        let height = (met - sight).dot(normal);
+        if height.abs() > self.looked.model.reach {
+            return None;
+        }
+        let within = (height.abs() / RATHER).min(CLAIMED_M);
+        let is_anothers = (self.looked.is_anothers)(&(met + map.origin_world), &met.normalize(), within);
+        (!is_anothers).then_some((range, height, beam.met_scanner.map(f32::to_bits)))
+    }
+
+    /// Whether the surface that was found goes on beyond the outline of the face.
+    fn goes_on(&self, of_face: &[usize], normal: &Vec3, deviation: f64, plane: &[Met]) -> bool {
+        let helper = if normal.z.abs() < 0.9 { Vec3::z() } else { Vec3::x() };
+        let u = helper.cross(normal).normalize();
+        let w = normal.cross(&u);
+        let places: Vec<Vec3> = of_face.iter().map(|i| self.evidence.samples.position(*i)).collect();
+        let extent = |axis: &Vec3| {
+            let along = places.iter().map(|p| p.dot(axis));
+            along.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)))
+        };
+        let (in_u, in_w, height) = (extent(&u), extent(&w), places[0].dot(normal) + deviation);
+        let maps: BTreeSet<usize> = plane.iter().map(|m| m.map).collect();
+        let (mut on, mut asked) = (0u32, 0u32);
+        for map in maps.into_iter().map(|m| self.maps[m]) {
+            let middle = u * (0.5 * (in_u.0 + in_u.1)) + w * (0.5 * (in_w.0 + in_w.1)) + normal * height;
+            let beside = BESIDE_M + 1.5 * SightMap::CELL * (middle - map.origin_world).norm();
+            for [x, y] in around(in_u, in_w, beside) {
+                let place_world = u * x + w * y + normal * height;
+                let met = self.height(map, &place_world, normal);
+                asked += 1;
+                on += u32::from(met.is_some_and(|(_, off, _)| off.abs() <= FLAT_M));
+            }
+        }
+        f64::from(on) > MAX_GOES_ON * f64::from(asked)
+    }
+}
+
+/// Places around a rectangle, so far beside it.
+fn around(in_u: (f64, f64), in_w: (f64, f64), beside: f64) -> impl Iterator<Item = [f64; 2]> {
+    (0..PROBES_A_SIDE).flat_map(move |k| {
+        let part = (k as f64 + 0.5) / PROBES_A_SIDE as f64;
+        let (x, y) = (in_u.0 + part * (in_u.1 - in_u.0), in_w.0 + part * (in_w.1 - in_w.0));
+        [[x, in_w.0 - beside], [x, in_w.1 + beside], [in_u.0 - beside, y], [in_u.1 + beside, y]]
+    })
+}
+
+/// Those whose heights lie within ± `half` metres of each other, most of them.
+fn densest(mut met: Vec<Met>, half: f64) -> Vec<Met> {
+    met.sort_by(|a, b| a.height.total_cmp(&b.height).then(a.sample.cmp(&b.sample)));
+    let (mut best, mut end) = (0..0, 0);
+    for start in 0..met.len() {
+        while end < met.len() && met[end].height <= met[start].height + 2.0 * half {
+            end += 1;
+        }
+        if end - start > best.len() {
+            best = start..end;
+        }
+    }
+    met[best].to_vec()
+}
+
+/// Median height and its standard deviation, metres: the beams' scatter, registration, and that beams meet a face that
+/// is off beside the place of which they tell.
+fn measured(plane: &[Met], model: &EvidenceModel) -> Option<(f64, f64)> {
+    let mut heights: Vec<f64> = plane.iter().map(|m| m.height).collect();
+    let (median, spread) = median_and_spread(&mut heights)?;
+    let beams: BTreeSet<_> = plane.iter().map(|m| (m.map, m.met_scanner)).collect();
+    let random = MEDIAN_SD * spread / (beams.len() as f64).sqrt();
+    let maps: BTreeSet<usize> = plane.iter().map(|m| m.map).collect();
+    let share = |map: usize| plane.iter().filter(|m| m.map == map).count() as f64 / plane.len() as f64;
+    let stations: f64 = maps.into_iter().map(|m| share(m).powi(2)).sum();
+    let common = model.sigma_station.powi(2) * stations + model.sigma_model.powi(2) + model.least_variance();
+    Some((median, (random.powi(2) + common).sqrt().hypot(model.second_order_sd(median))))
+}
