@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::HashMap;
 
 use super::adjacency::Adjacency;
-use super::{Solid, Vec3};
+use super::{FaceKind, Solid, Vec3};
 use crate::num::sort::sort;
 use crate::{Interrupt, Result, poll_now_and_then, room};
 
@@ -26,6 +26,8 @@ pub struct Faces {
     /// For each face the smooth surface that it is a facet of, counted from 0. A plane face is a smooth surface by
     /// itself.
     pub surface_of_face: Vec<u32>,
+    /// For each face what it belongs to.
+    pub kinds: Vec<FaceKind>,
 }
 
 impl Faces {
@@ -40,9 +42,9 @@ pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
     room::<[u64; 16]>(solid.triangles().len(), interrupt)?;
     let planes = planes(solid, interrupt)?;
     let adjacency = Adjacency::of(solid, interrupt)?;
-    let mut faces =
-        Faces { of_triangle: vec![Faces::NONE; planes.len()], normals: Vec::new(), surface_of_face: Vec::new() };
-    let mut by_plane: HashMap<[i64; 4], u32> = HashMap::new();
+    let of_triangle = vec![Faces::NONE; planes.len()];
+    let mut faces = Faces { of_triangle, normals: Vec::new(), surface_of_face: Vec::new(), kinds: Vec::new() };
+    let mut by_plane: HashMap<([i64; 4], FaceKind), u32> = HashMap::new();
     let centre = solid.bounds().centre();
     for (round, seed) in largest_first(&planes, interrupt)?.into_iter().enumerate() {
         poll_now_and_then(round, interrupt)?;
@@ -50,13 +52,15 @@ pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
         if faces.of_triangle[seed as usize] != Faces::NONE {
             continue;
         }
-        let fresh = faces.normals.len() as u32;
-        let face = *by_plane.entry(plane.key(&centre)).or_insert(fresh);
+        let (fresh, kind) = (faces.normals.len() as u32, FaceKind::of(solid, seed as usize));
+        let face = *by_plane.entry((plane.key(&centre), kind)).or_insert(fresh);
         if face == fresh {
             faces.normals.push(plane.normal);
+            faces.kinds.push(kind);
         }
         let joins = |t: usize| {
-            planes[t].is_some_and(|p| p.normal.dot(&plane.normal) >= MAX_TURN_COS)
+            FaceKind::of(solid, t) == kind
+                && planes[t].is_some_and(|p| p.normal.dot(&plane.normal) >= MAX_TURN_COS)
                 && solid.corners(t).iter().all(|c| (c - plane.point).dot(&plane.normal).abs() <= MAX_OFF_PLANE_M)
         };
         grow(seed, face, &adjacency, joins, &mut faces.of_triangle, interrupt)?;
@@ -78,7 +82,8 @@ fn smooth_surfaces(
         for &u in adjacency.neighbours(t) {
             let g = faces.of_triangle[u as usize];
             let (Some(a), Some(b)) = (planes[t], planes[u as usize]) else { continue };
-            if f < g && g != Faces::NONE && a.normal.dot(&b.normal) >= BLUNT_EDGE_COS {
+            let alike = g != Faces::NONE && faces.kinds[f.min(g) as usize] == faces.kinds[g as usize];
+            if f < g && alike && a.normal.dot(&b.normal) >= BLUNT_EDGE_COS {
                 let (f, g) = (root(&mut parent, f), root(&mut parent, g));
                 parent[f.max(g) as usize] = f.min(g);
             }

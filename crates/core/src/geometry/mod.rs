@@ -14,7 +14,7 @@
 //! * [`solid`]: the mesh of an object;
 //! * [`solid_bytes`]: the same, stored;
 //! * [`adjacency`]: triangles beside each other;
-//! * [`face`]: triangles that make a face;
+//! * [`face`]: triangles that make a face, and its [`FaceKind`];
 //! * [`triangulate`]: polygons as triangles;
 //! * [`ewkb`]: solids as PostGIS writes them.
 
@@ -25,6 +25,7 @@ mod closedness;
 mod coordinate;
 mod ewkb;
 mod face;
+mod face_kind;
 mod hilbert;
 mod orient;
 mod parts;
@@ -43,6 +44,7 @@ pub(crate) use coordinate::check_coordinates;
 pub use ewkb::SurfaceKind;
 pub(crate) use face::BLUNT_EDGE_COS;
 pub use face::{Faces, group_faces};
+pub use face_kind::FaceKind;
 pub use hilbert::hilbert;
 pub use orient::orient;
 pub use parts::{Part, Parts};

@@ -8,6 +8,7 @@ use super::beams::Beams;
 use super::header::PatchHeader;
 use super::origins::Origins;
 use super::patch::Patch;
+use super::patch_spec::PatchSpec;
 use crate::error::{Error, Limited, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::uncertain::UncertainPose;
@@ -17,11 +18,17 @@ use crate::{Interrupt, poll_now_and_then};
 const MAX_RETILED: usize = 10_000_000;
 
 impl Patch {
-    /// The beams, by number, for which `keep` is true; `None` where none is left.
-    pub fn filtered(bytes: &[u8], mut keep: impl FnMut(&PatchHeader, &Beams, usize) -> bool) -> Result<Option<Self>> {
-        let (header, content) = Self::content_of(bytes)?;
-        let kept: Vec<u32> = (0..content.len() as u32).filter(|&i| keep(&header, &content, i as usize)).collect();
-        if kept.is_empty() { Ok(None) } else { Self::pack(&header.setting(), &content.select(&kept)).map(Some) }
+    /// The beams, by number, for which `keep` is true; `None` where none is left. Wherever some are kept, all around are:
+    /// they stay as far apart.
+    pub fn cropped(bytes: &[u8], keep: impl FnMut(&PatchHeader, &Beams, usize) -> bool) -> Result<Option<Self>> {
+        let Some((header, content)) = kept(bytes, keep)? else { return Ok(None) };
+        Self::pack(&header.setting(), &content).map(Some)
+    }
+
+    /// The same where any may be kept: how far apart they are is found anew.
+    pub fn filtered(bytes: &[u8], keep: impl FnMut(&PatchHeader, &Beams, usize) -> bool) -> Result<Option<Self>> {
+        let Some((header, content)) = kept(bytes, keep)? else { return Ok(None) };
+        Self::pack(&spaced(&header, &content), &content).map(Some)
     }
 
     /// Beams whose return lies in `bounds` (world metres).
@@ -29,7 +36,7 @@ impl Patch {
         if !PatchHeader::read(bytes)?.points.overlaps(bounds) {
             return Ok(None);
         }
-        Self::filtered(bytes, |h, c, i| c.beams[i].returned && bounds.holds(&(c.end(i) + h.origin)))
+        Self::cropped(bytes, |h, c, i| c.beams[i].returned && bounds.holds(&(c.end(i) + h.origin)))
     }
 
     /// Beams whose return is at least `min` and at most `max` metres away.
@@ -38,7 +45,7 @@ impl Patch {
             let expected = "of beams whose origin is known";
             return Err(Error::argument("a filter by range", expected, "of points without origin"));
         }
-        Self::filtered(bytes, |_, c, i| c.beams[i].returned && (min..=max).contains(&c.beams[i].offset.norm()))
+        Self::cropped(bytes, |_, c, i| c.beams[i].returned && (min..=max).contains(&c.beams[i].offset.norm()))
     }
 
     /// The first beam of every cube of side `spacing` (metres, lattice of the reference system) that a return lies in,
@@ -69,14 +76,29 @@ impl Patch {
     /// Patches of one station joined into one.
     pub fn union(patches: &[&[u8]], interrupt: Interrupt) -> Result<Option<Self>> {
         let Some((header, content)) = joined(patches, MAX_BEAMS, interrupt)? else { return Ok(None) };
-        Self::pack(&header.setting(), &content).map(Some)
+        Self::pack(&spaced(&header, &content), &content).map(Some)
     }
 
     /// The beams of many patches of one station, cut anew into tiles of neighbours.
     pub fn retiled(patches: &[&[u8]], interrupt: Interrupt) -> Result<Vec<Self>> {
         let Some((header, content)) = joined(patches, MAX_RETILED, interrupt)? else { return Ok(Vec::new()) };
-        content.packed(header.origins(), interrupt, |_| header.setting())
+        content.packed(header.origins(), interrupt, |own| spaced(&header, own))
     }
+}
+
+/// The beams of a patch for which `keep` is true; `None` where none is left.
+fn kept(
+    bytes: &[u8],
+    mut keep: impl FnMut(&PatchHeader, &Beams, usize) -> bool,
+) -> Result<Option<(PatchHeader, Beams)>> {
+    let (header, content) = Patch::content_of(bytes)?;
+    let kept: Vec<u32> = (0..content.len() as u32).filter(|&i| keep(&header, &content, i as usize)).collect();
+    Ok((!kept.is_empty()).then(|| (header, content.select(&kept))))
+}
+
+/// A patch's setting, with these beams as far apart as they are.
+fn spaced(header: &PatchHeader, content: &Beams) -> PatchSpec {
+    PatchSpec { spacing: content.spacing(header.origins()), ..header.setting() }
 }
 
 /// All beams of patches of one station, from the first one's origin, at the finest quantum of all; `None` where there

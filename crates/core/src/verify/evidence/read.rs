@@ -7,7 +7,7 @@ use super::station::{StationEvidence, StationOrigin};
 use super::unseen::Unseen;
 use super::value::{Evidence, MAX_SUMS};
 use crate::error::{Error, Result};
-use crate::geometry::{Aabb, Vec3};
+use crate::geometry::{Aabb, FaceKind, Vec3};
 use crate::num::bytes::ByteReader;
 use crate::num::sections::{self, BODY, HEADER};
 use crate::verify::model::{BeamModel, EvidenceModel, ModelKind, Sums, with_model};
@@ -31,7 +31,7 @@ impl Evidence {
         if least > r.remaining() as u64 {
             return Err(r.bad(format!("{samples} samples and {stations} stations do not fit its length")));
         }
-        let samples = read_samples(&mut r, &h, interrupt)?;
+        let mut samples = read_samples(&mut r, &h, interrupt)?;
         let mut room = MAX_SUMS / BLOCK;
         let stations = (0..stations)
             .map(|_| read_station(&mut r, &samples, &h, &mut room, interrupt))
@@ -41,6 +41,9 @@ impl Evidence {
         }
         let unseen = h.is_unseen.then(|| Unseen::read(&mut r)).transpose()?;
         let found = h.is_found.then(|| FoundFace::read(&mut r, samples.normals.len())).transpose()?;
+        if h.has_kinds {
+            samples.kinds = read_kinds(&mut r, samples.normals.len(), interrupt)?;
+        }
         r.finish()?;
         let (fingerprint, bounds, knows_neighbours) = (h.fingerprint, h.bounds, h.knows_neighbours);
         Ok(Self { model: h.model, fingerprint, bounds, samples, knows_neighbours, unseen, found, stations })
@@ -56,6 +59,8 @@ struct RawHeader {
     is_unseen: bool,
     /// The face that was found elsewhere follows that.
     is_found: bool,
+    /// The kinds of the faces follow that.
+    has_kinds: bool,
     fingerprint: u32,
     /// Faces, blocks, samples and stations.
     counts: [u32; 4],
@@ -74,10 +79,10 @@ fn read_header(bytes: &[u8]) -> Result<RawHeader> {
         return Err(Error::Version { ty: TY, found: version, known: Evidence::VERSION });
     }
     let (two_sided, known) = (r.u8()? != 0, r.u8()?);
-    if known > if version > LAST_FLAT { 7 } else { 1 } {
+    if known > if version > LAST_FLAT { 15 } else { 1 } {
         return Err(r.bad(format!("note {known}")));
     }
-    let [knows_neighbours, is_unseen, is_found] = [1, 2, 4].map(|bit| known & bit != 0);
+    let [knows_neighbours, is_unseen, is_found, has_kinds] = [1, 2, 4, 8].map(|bit| known & bit != 0);
     if version > LAST_FLAT {
         r = sections::header(bytes, TY, NEVER)?;
     }
@@ -96,6 +101,7 @@ fn read_header(bytes: &[u8]) -> Result<RawHeader> {
         knows_neighbours,
         is_unseen,
         is_found,
+        has_kinds,
         fingerprint,
         counts,
         reference,
@@ -125,7 +131,20 @@ fn read_samples(r: &mut ByteReader, h: &RawHeader, interrupt: Interrupt) -> Resu
         poll_now_and_then(i, interrupt)?;
         positions.push(finite_position(r)?);
     }
-    Ok(Samples { reference: h.reference, positions, normals, surface_of_face, blocks, two_sided: h.two_sided })
+    let (reference, two_sided, kinds) = (h.reference, h.two_sided, vec![FaceKind::Fixed; normals.len()]);
+    Ok(Samples { reference, positions, normals, surface_of_face, kinds, blocks, two_sided })
+}
+
+/// The kind of each face, not all of them fixed.
+fn read_kinds(r: &mut ByteReader, faces: usize, interrupt: Interrupt) -> Result<Vec<FaceKind>> {
+    let mut kinds = Vec::new();
+    kinds.grow(faces, interrupt)?;
+    for face in 0..faces {
+        poll_now_and_then(face, interrupt)?;
+        let number = r.u8()?;
+        kinds.push(FaceKind::of_number(number).ok_or_else(|| r.bad(format!("face {face} of kind {number}")))?);
+    }
+    if kinds.iter().any(|kind| *kind != FaceKind::Fixed) { Ok(kinds) } else { Err(r.bad("no face of a kind")) }
 }
 
 fn unit(r: &mut ByteReader) -> Result<Vec3> {

@@ -1,7 +1,7 @@
 //! Samples: the points on a solid's faces at which belief is formed.
 
 use super::spread::{sort_along_curve, spread};
-use crate::geometry::{Closedness, Solid, Vec3, group_faces};
+use crate::geometry::{Closedness, FaceKind, Solid, Vec3, group_faces};
 use crate::num::eigen;
 use crate::{Grow, Interrupt, Result, poll_now_and_then};
 
@@ -25,6 +25,8 @@ pub struct Samples {
     pub(in crate::verify) normals: Vec<Vec3>,
     /// The smooth surface that each face is a facet of.
     pub(in crate::verify) surface_of_face: Vec<u32>,
+    /// What each face belongs to; older layouts do not tell, all are fixed.
+    pub(in crate::verify) kinds: Vec<FaceKind>,
     /// In the order of the faces.
     pub(in crate::verify) blocks: Vec<SampleBlock>,
     /// The faces are seen from both sides (an open surface).
@@ -72,6 +74,7 @@ impl Samples {
             positions: Vec::new(),
             normals: faces.normals,
             surface_of_face: faces.surface_of_face,
+            kinds: faces.kinds,
             blocks: Vec::new(),
             two_sided: solid.closedness() == Closedness::Open,
         };
@@ -108,6 +111,11 @@ impl Samples {
         Ok(())
     }
 
+    /// Whether some of the object may stand elsewhere, or lets beams pass.
+    pub(in crate::verify) fn has_optional(&self) -> bool {
+        self.kinds.iter().any(|kind| *kind != FaceKind::Fixed)
+    }
+
     /// Number of samples.
     pub fn len(&self) -> usize {
         self.positions.len()
@@ -132,9 +140,12 @@ impl Samples {
             && self.two_sided == other.two_sided
     }
 
-    /// Takes over surfaces that the other knows: there, faces have lower numbers than their own.
+    /// Takes over surfaces and kinds that the other knows: there, faces have lower numbers than their own.
     pub(in crate::verify) fn join_surfaces(&mut self, other: &Self) {
         self.surface_of_face.iter_mut().zip(&other.surface_of_face).for_each(|(a, b)| *a = (*a).min(*b));
+        if self.kinds.iter().all(|k| *k == FaceKind::Fixed) {
+            self.kinds.clone_from(&other.kinds);
+        }
     }
 
     /// The face of every sample, in order; counts as the faces of [`Evidence::faces`](super::Evidence::faces) do.

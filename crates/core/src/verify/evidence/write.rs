@@ -1,13 +1,13 @@
 //! The stored and transmitted form of evidence.
 //!
 //! A container of sections (`num/sections.rs`), version 4, letter `'E'`, notes: two-sided; and the sum of 1 where it knows
-//! its neighbours, 2 where it says why it was not seen, 4 where it says which face was found elsewhere. The header's
-//! content, little-endian: fingerprint, faces, blocks, samples and stations u32, reference 3×f64, box 6×f64,
+//! its neighbours, 2 where it says why it was not seen, 4 where it says which face was found elsewhere, 8 where
+//! some faces are of leaves or panes. The header's content, little-endian: fingerprint, faces, blocks, samples and stations u32, reference 3×f64, box 6×f64,
 //! model. The body: per face its normal 3×f64 and its smooth surface (varint, at most its own number); blocks as (face
 //! varint, length u8); samples 3×f32; per station its number i64, origin 3×f64 (NaN: none, infinity: many), step f32,
 //! blocks present u32, and per block its number (varint, difference) and per sample the beams (varint) and, unless 0,
 //! five signed varints; then the seven shares of why it was not seen, f32, and the face that was found: face and
-//! samples u32, deviation and its σ f64. Versions 1 to 3 are read: preamble, header and body one after the other, without
+//! samples u32, deviation and its σ f64; and for each face its kind u8 (0 fixed, 1 movable, 2 transparent). Versions 1 to 3 are read: preamble, header and body one after the other, without
 //! checksums; versions 1 and 2 have no surfaces (every face is one) and no steps.
 
 use super::station::StationEvidence;
@@ -34,8 +34,8 @@ impl Evidence {
         let mut out = Vec::new();
         // The sums come on top, by as much as each takes.
         out.grow(Self::HEADER_LEN + 25 * s.normals.len() + 12 * s.len(), interrupt)?;
-        let known =
-            u8::from(self.knows_neighbours) + 2 * u8::from(self.unseen.is_some()) + 4 * u8::from(self.found.is_some());
+        let told = [self.knows_neighbours, self.unseen.is_some(), self.found.is_some(), s.has_optional()];
+        let known = told.iter().rev().fold(0, |bits, told| 2 * bits + u8::from(*told));
         begin(Self::VERSION, b'E', [u8::from(s.two_sided), known], &mut out);
         put_section(HEADER, &mut out, interrupt, |out| {
             out.put_u32(self.fingerprint);
@@ -71,6 +71,9 @@ impl Evidence {
         }
         if let Some(found) = &self.found {
             found.write(out);
+        }
+        if s.has_optional() {
+            s.kinds.iter().for_each(|kind| out.put(&[*kind as u8]));
         }
         Ok(())
     }

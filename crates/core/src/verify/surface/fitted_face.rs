@@ -3,7 +3,7 @@
 use super::compact::CompactDeviation;
 use super::fitted_surface::FittedSurface;
 use super::observations::Observations;
-use crate::geometry::Vec3;
+use crate::geometry::{FaceKind, Vec3};
 use crate::num::stats::median_and_spread;
 use crate::verify::evidence::Evidence;
 use crate::verify::model::EvidenceModel;
@@ -15,6 +15,8 @@ pub const MEDIAN_SD: f64 = 1.2533;
 /// Of a face that is not cut off by the ends of the search band at most this share lies as near to them as
 /// [`BORDER_M`].
 const MAX_AT_THE_END: f64 = 0.05;
+/// σ of where a pane is met, metres: the echo of its other side, or of the second pane, mixes in.
+const PANE_SD_M: f64 = 0.004;
 /// Width of what is near an end of the search band, metres.
 const BORDER_M: f64 = 0.015;
 
@@ -25,7 +27,9 @@ pub struct FittedFace {
     pub normal: Vec3,
     /// The smooth surface that it is a facet of.
     pub smooth_surface: u32,
-    /// All samples.
+    /// What it belongs to.
+    pub kind: FaceKind,
+    /// All samples; of a leaf or a pane those that were seen.
     pub samples: u64,
     /// Samples at which any surface was seen within the search band.
     pub with_surface: u64,
@@ -70,10 +74,14 @@ impl FittedFace {
             let truncated = measured.is_truncated(model);
             let (location, random_sd) = measured.location(coherent);
             let location = location.filter(|_| !truncated);
-            let with_sd = |d: f64| (d, (random_sd.powi(2) + common).sqrt().hypot(model.second_order_sd(d)));
+            let kind = e.samples.kinds[face];
+            let of_pane = if kind == FaceKind::Transparent { PANE_SD_M } else { 0.0 };
+            let with_sd =
+                |d: f64| (d, (random_sd.powi(2) + common).sqrt().hypot(model.second_order_sd(d)).hypot(of_pane));
             Ok(Self {
                 normal: e.samples.normals[face],
                 smooth_surface,
+                kind,
                 samples: shares.samples,
                 with_surface,
                 coherent,

@@ -6,7 +6,7 @@ use super::body::{EvidenceBody, mass_of};
 use super::reading::SampleReading;
 use super::station_shares::StationShares;
 use crate::evidence::{LogCommonality, Mass};
-use crate::geometry::Vec3;
+use crate::geometry::{FaceKind, Vec3};
 use crate::num::sort::sort;
 use crate::verify::evidence::{Evidence, SampleBlock};
 use crate::verify::model::EvidenceModel;
@@ -115,7 +115,9 @@ impl<'a> ObservationsBuilder<'a> {
 
     fn add_block(&mut self, b: usize, block: &SampleBlock, interrupt: Interrupt) -> Result<()> {
         let (samples, face) = (&self.evidence.samples, block.face as usize);
-        self.stations_of_face[face].samples += u64::from(block.len);
+        // A leaf that stands elsewhere and a pane that beams pass are not expected to be seen.
+        let is_fixed = samples.kinds[face] == FaceKind::Fixed;
+        self.stations_of_face[face].samples += if is_fixed { u64::from(block.len) } else { 0 };
         let stations = self.evidence.stations_of_block(b);
         if stations.is_empty() {
             return Ok(());
@@ -124,6 +126,7 @@ impl<'a> ObservationsBuilder<'a> {
             let at = block.start as usize + i;
             self.reading.read(&stations, i, &samples.position(at), &samples.normals[face], self.model);
             if self.reading.seen {
+                self.stations_of_face[face].samples += u64::from(!is_fixed);
                 self.seen.grow(1, interrupt)?;
                 self.bodies.grow(self.reading.bodies.len(), interrupt)?;
                 self.push(samples.positions[at], block.face);

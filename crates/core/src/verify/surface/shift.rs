@@ -157,9 +157,11 @@ impl Evidence {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::FaceKind;
 
     fn face(normal: Vec3, deviation: f64, samples: u64) -> FittedFace {
         FittedFace {
+            kind: FaceKind::Fixed,
             normal,
             smooth_surface: 0,
             samples,

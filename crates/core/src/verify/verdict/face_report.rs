@@ -2,7 +2,7 @@
 
 use super::counts::Counts;
 use super::thresholds::IN_FRONT_SHARE;
-use crate::geometry::Vec3;
+use crate::geometry::{FaceKind, Vec3};
 use crate::verify::evidence::Evidence;
 use crate::verify::model::{EvidenceModel, Question};
 use crate::verify::surface::{FittedFace, FittedObject};
@@ -15,6 +15,8 @@ pub struct FaceReport {
     pub normal: Vec3,
     /// The smooth surface that it is a facet of.
     pub(super) smooth_surface: u32,
+    /// What it belongs to.
+    pub(super) kind: FaceKind,
     /// How its samples divide.
     pub counts: Counts,
     /// Most of the seen samples follow one trend: the built face.
@@ -33,6 +35,7 @@ impl FaceReport {
             Ok(Self {
                 normal: face.normal,
                 smooth_surface: face.smooth_surface,
+                kind: face.kind,
                 counts: count(number, fitted, model, interrupt)?,
                 coherent: face.coherent,
                 deviation: face.deviation,
@@ -44,7 +47,7 @@ impl FaceReport {
 }
 
 fn count(number: usize, fitted: &FittedObject, model: &EvidenceModel, interrupt: Interrupt) -> Result<Counts> {
-    let FittedFace { samples, with_surface, .. } = fitted.faces[number];
+    let FittedFace { samples, with_surface, kind, .. } = fitted.faces[number];
     let mut counts = Counts { samples, with_surface, ..Counts::default() };
     let tolerance = model.question.tolerance();
     let observations = &fitted.observations;
@@ -52,6 +55,9 @@ fn count(number: usize, fitted: &FittedObject, model: &EvidenceModel, interrupt:
     for (i, (s, on_surface)) in observations.seen[run.clone()].iter().zip(&fitted.on_surface[run]).enumerate() {
         poll_now_and_then(i, interrupt)?;
         let (mass, in_front) = observations.mass(s, model);
+        let on_surface = on_surface.get().map(|d| f64::from(d.abs()) > tolerance);
+        // Where a pane was met is not known well enough to displace it.
+        let on_surface = on_surface.filter(|is_off| kind != FaceKind::Transparent || !is_off);
         // A surface in front of the face is no refutation by itself: furniture. One that is the face is.
         let moved = on_surface.is_some() && in_front >= IN_FRONT_SHARE * model.question.confidence;
         let refuted = moved || mass.empty >= model.question.confidence;
@@ -61,7 +67,7 @@ fn count(number: usize, fitted: &FittedObject, model: &EvidenceModel, interrupt:
         counts.pierced += u64::from(refuted && !on_surface.is_some());
         counts.confirmed += u64::from(!refuted && mass.occupied >= model.question.confidence);
         counts.on_surface += u64::from(on_surface.is_some());
-        counts.out_of_tolerance += u64::from(on_surface.get().is_some_and(|d| f64::from(d.abs()) > tolerance));
+        counts.out_of_tolerance += u64::from(on_surface == Some(true));
     }
     Ok(counts)
 }

@@ -96,7 +96,9 @@ impl VerdictTally {
         };
         let well_seen = |f: &FaceReport| is_well_seen(f.counts.with_surface, totals.with_surface);
         let certainly_off = |f: &FaceReport| f.deviation.is_some_and(|(d, sd)| d.abs() > CERTAINLY_OFF * sd);
-        let order = |f: &FaceReport| (f.coherent, well_seen(f), certainly_off(f), f.counts.samples);
+        // A leaf may stand elsewhere, and a pane is met less surely.
+        let firmness = |f: &FaceReport| std::cmp::Reverse(f.kind as u8);
+        let order = |f: &FaceReport| (f.coherent, well_seen(f), firmness(f), certainly_off(f), f.counts.samples);
         let numbered = self.faces.iter().enumerate().filter(|(_, f)| judged(f));
         numbered.max_by(|(i, a), (j, b)| order(a).cmp(&order(b)).then(j.cmp(i))).map(|(i, _)| i)
     }
