@@ -378,6 +378,9 @@ COMMENT ON FUNCTION ab_filter(ab_scan, float8, float8) IS
     'origin';
 CREATE OR REPLACE FUNCTION ab_thin(patch ab_scan, spacing float8) RETURNS ab_scan
     AS 'MODULE_PATHNAME', 'ab_scan_thin' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20000;
+COMMENT ON FUNCTION ab_thin(ab_scan, float8) IS
+    'One return for every cube of this side, metres; beams without return are kept. Its step is that of what is left: '
+    'the square root of the solid angle that a beam has, over the patch';
 CREATE OR REPLACE FUNCTION ab_transform(patch ab_scan, pose ab_pose) RETURNS ab_scan
     AS 'MODULE_PATHNAME', 'ab_transform_scan' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20000;
 CREATE FUNCTION ab_union(patches ab_scan[]) RETURNS ab_scan
@@ -712,7 +715,8 @@ COMMENT ON COLUMN ab_summary_row.verdict IS
     'confirmed, deviating, absent, unobserved or conflicting, at the level of accuracy that was asked';
 COMMENT ON COLUMN ab_summary_row.best_loa IS
     'Finest level of accuracy that 95 % of every well-seen surface keeps, proven at the confidence; NULL for none';
-COMMENT ON COLUMN ab_summary_row.samples IS 'Number of samples on the surface of the solid';
+COMMENT ON COLUMN ab_summary_row.samples IS
+    'Number of samples on the surface of the solid; of leaves and panes those that were seen';
 COMMENT ON COLUMN ab_summary_row.coverage IS 'Share of the samples that were seen, 0 to 1';
 COMMENT ON COLUMN ab_summary_row.confirmed IS
     'Share of the seen samples at which belief in "built here" reaches the confidence, 0 to 1; NULL where none was '
@@ -846,7 +850,8 @@ COMMENT ON COLUMN ab_verdict_row.verdict IS
     'a solid';
 COMMENT ON COLUMN ab_verdict_row.best_loa IS
     'Finest level of accuracy that 95 % of every well-seen surface keeps, proven at the confidence; NULL for none';
-COMMENT ON COLUMN ab_verdict_row.samples IS 'Number of samples on the surface of the solid; NULL without a solid';
+COMMENT ON COLUMN ab_verdict_row.samples IS
+    'Number of samples on the surface of the solid, of leaves and panes those that were seen; NULL without a solid';
 COMMENT ON COLUMN ab_verdict_row.coverage IS 'Share of the samples that were seen, 0 to 1; NULL without a solid';
 COMMENT ON COLUMN ab_verdict_row.confirmed IS
     'Share of the seen samples at which belief in "built here" reaches the confidence, 0 to 1; NULL where none was '

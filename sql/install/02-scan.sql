@@ -104,7 +104,8 @@ COMMENT ON FUNCTION ab_filter(ab_scan, float8, float8) IS
 CREATE FUNCTION ab_thin(patch ab_scan, spacing float8) RETURNS ab_scan
     AS 'MODULE_PATHNAME', 'ab_scan_thin' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20000;
 COMMENT ON FUNCTION ab_thin(ab_scan, float8) IS
-    'One return for every cube of this side, metres; beams without return are kept';
+    'One return for every cube of this side, metres; beams without return are kept. Its step is that of what is left: '
+    'the square root of the solid angle that a beam has, over the patch';
 
 CREATE FUNCTION ab_transform(patch ab_scan, pose ab_pose) RETURNS ab_scan
     AS 'MODULE_PATHNAME', 'ab_transform_scan' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20000;

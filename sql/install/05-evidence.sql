@@ -34,7 +34,8 @@ COMMENT ON COLUMN ab_summary_row.verdict IS
     'confirmed, deviating, absent, unobserved or conflicting, at the level of accuracy that was asked';
 COMMENT ON COLUMN ab_summary_row.best_loa IS
     'Finest level of accuracy that 95 % of every well-seen surface keeps, proven at the confidence; NULL for none';
-COMMENT ON COLUMN ab_summary_row.samples IS 'Number of samples on the surface of the solid';
+COMMENT ON COLUMN ab_summary_row.samples IS
+    'Number of samples on the surface of the solid; of leaves and panes those that were seen';
 COMMENT ON COLUMN ab_summary_row.coverage IS 'Share of the samples that were seen, 0 to 1';
 COMMENT ON COLUMN ab_summary_row.confirmed IS
     'Share of the seen samples at which belief in "built here" reaches the confidence, 0 to 1; NULL where none was '
@@ -209,7 +210,8 @@ COMMENT ON COLUMN ab_verdict_row.verdict IS
     'a solid';
 COMMENT ON COLUMN ab_verdict_row.best_loa IS
     'Finest level of accuracy that 95 % of every well-seen surface keeps, proven at the confidence; NULL for none';
-COMMENT ON COLUMN ab_verdict_row.samples IS 'Number of samples on the surface of the solid; NULL without a solid';
+COMMENT ON COLUMN ab_verdict_row.samples IS
+    'Number of samples on the surface of the solid, of leaves and panes those that were seen; NULL without a solid';
 COMMENT ON COLUMN ab_verdict_row.coverage IS 'Share of the samples that were seen, 0 to 1; NULL without a solid';
 COMMENT ON COLUMN ab_verdict_row.confirmed IS
     'Share of the seen samples at which belief in "built here" reaches the confidence, 0 to 1; NULL where none was '

@@ -65,7 +65,8 @@ impl ObjectClass {
 const CHANGES: &str = "
 SELECT c.id, c.change::text, c.seen_in_both, c.shift, c.shift_sd
 FROM   @ext.ab_change_table(
-           pg_catalog.format($1::text, NULL::text, 'surface'::text, $4::float8, $5::float8, $6::float8, $7::float8, NULL::float8),
+           pg_catalog.format($1::text, NULL::text, 'surface'::text, $4::float8, $5::float8, $6::float8, $7::float8, NULL::float8,
+           NULL::float8),
            $2::text, $3::text, NULL::@ext.ab_evidence_model, NULL::@ext.ab_evidence_model) c";
 
 /// The class of every object by its id.

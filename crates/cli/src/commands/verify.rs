@@ -20,6 +20,9 @@ coverage is seen/all samples; confirmed + refuted + open = 1 over the seen ones;
 outward normal of the largest face that is certainly off, else of the largest, and shift the rigid offset (x, y, z) with its standard deviation, both
 in metres; '-' marks an axis that the seen faces do not determine (JSON: null; CSV: an empty cell, a column an axis).
 
+An object is looked for up to --reach from its drawn place (a plane face, as large as its own, that no other object
+explains): deviating by that distance. Farther off it is absent, if its place was seen empty.
+
 reason says why an object is unobserved: hidden_by_object (hidden_by: which), hidden_by_other (something that nobody
 drew), too_few beams, too_steep, not_looked_at, no_return, or shared_face (what was met may as well be another object's,
 drawn at the same place).
@@ -48,6 +51,9 @@ pub struct VerifyArgs {
     /// Standard deviation of a station's registration, metres
     #[arg(long, value_name = "M")]
     sigma_station: Option<f64>,
+    /// How far from its drawn place an object is looked for that is not there, metres [default: 0.3]
+    #[arg(long, value_name = "M")]
+    reach: Option<f64>,
     /// Belief from which a sample counts as confirmed or refuted
     #[arg(long, value_name = "P")]
     confidence: Option<f64>,
@@ -66,7 +72,7 @@ SELECT o.name, o.global_id, o.ifc_class, o.storey, coalesce($2::text, o.loa::tex
        s.deviation_normal, s.deviation_face, s.reason, s.reason_shares, coalesce(h.name, s.hidden_by), coalesce(t.name, s.drawn_twice)
 FROM   @building_object o
 JOIN   @ext.ab_verify_table(
-           pg_catalog.format($9::text, $2::text, $3::text, $4::float8, $5::float8, $8::float8, $6::float8, $7::float8),
+           pg_catalog.format($9::text, $2::text, $3::text, $4::float8, $5::float8, $8::float8, $6::float8, $7::float8, $10::float8),
            $1::text, NULL::@ext.ab_evidence_model, false, NULL::float8, NULL::float8, NULL::float8) s ON s.id = o.id
 LEFT   JOIN @building_object h ON h.id = s.hidden_by::int8
 LEFT   JOIN @building_object t ON t.id = s.drawn_twice::int8
@@ -75,7 +81,8 @@ ORDER  BY o.id";
 /// What is verified, as a template for PostgreSQL's `format`.
 pub const OBJECTS: &str = "
 SELECT id, solid, @ext.ab_evidence_model(loa => coalesce(%L::@ext.ab_loa, loa), model => %L::text, spacing => %L::float8,
-       sigma_range => %L::float8, sigma_angle => %L::float8, sigma_station => %L::float8, confidence => %L::float8)
+       sigma_range => %L::float8, sigma_angle => %L::float8, sigma_station => %L::float8, confidence => %L::float8,
+       reach => %L::float8)
 FROM   @building_object";
 
 pub fn run(args: &VerifyArgs) -> Result<()> {
@@ -102,9 +109,9 @@ fn judged(args: &VerifyArgs, db: &mut Database) -> Result<Vec<Row>> {
     let bar = spinner("verifying");
     let one_view = db.client.build_transaction().read_only(true).isolation_level(IsolationLevel::RepeatableRead);
     let mut client = one_view.start().map_err(explain)?;
-    let VerifyArgs { model, spacing, confidence, .. } = args;
-    let parameters: [&(dyn ToSql + Sync); 9] =
-        [&scans, &loa, model, spacing, &sigma_range, &sigma_station, confidence, &sigma_angle, &objects];
+    let VerifyArgs { model, spacing, confidence, reach, .. } = args;
+    let parameters: [&(dyn ToSql + Sync); 10] =
+        [&scans, &loa, model, spacing, &sigma_range, &sigma_station, confidence, &sigma_angle, &objects, reach];
     let rows = client.query(&verdicts, &parameters).map_err(explain)?;
     bar.finish_and_clear();
     Ok(rows)

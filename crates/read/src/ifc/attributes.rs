@@ -53,6 +53,7 @@ fn is_left_out(t: &IfcType) -> bool {
     [
         IfcType::IfcFeatureElementSubtraction,
         IfcType::IfcSpace,
+        IfcType::IfcSpatialZone,
         IfcType::IfcAnnotation,
         IfcType::IfcGrid,
         IfcType::IfcPort,

@@ -111,7 +111,13 @@ fn case(
         true_deviation: deviation,
         hidden_by: right.hidden_by.map(|owner| owner_name(scene, owner)),
         reason: summary.unseen.map(|unseen| {
-            let kept: Vec<Kept> = truths.iter().filter_map(|t| t.kept).collect();
+            // Panes and leaves are asked nothing where the object has anything else.
+            let fixed = || truths.iter().filter(|t| !t.glass && !t.leaf);
+            let kept: Vec<Kept> = if fixed().next().is_some() {
+                fixed().filter_map(|t| t.kept).collect()
+            } else {
+                truths.iter().filter_map(|t| t.kept).collect()
+            };
             ReasonSaid::of(unseen.main(), judged.hidden_by, &kept)
         }),
         shared_with: most_shared(scene, truths),

@@ -32,7 +32,8 @@ pub struct Truth {
     pub area: f64,
     /// Of glass: only beams near its normal say anything of it.
     pub glass: bool,
-    /// On a leaf that stands elsewhere.
+    /// On a leaf, and on one that stands elsewhere.
+    pub leaf: bool,
     pub turned: bool,
     /// Another object drawn here, where it is drawn or where it was built.
     pub shared_with: Option<usize>,
@@ -72,6 +73,7 @@ fn truth(scene: &Scene, number: usize, sample: &Sample) -> Truth {
         face: sample.face,
         area: sample.area,
         glass: object.transparent[sample.triangle],
+        leaf: leaf.is_some(),
         turned: fate.is_turned(leaf),
         shared_with: shared(&sample.place).or_else(elsewhere),
         distance: standing.distance(&sample.place, &sample.normal, object.is_closed, REACH_M).unwrap_or(f64::INFINITY),

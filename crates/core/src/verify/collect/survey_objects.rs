@@ -152,7 +152,8 @@ impl SurveyObjects {
             near.into_iter().any(|(_, i)| self.body(i) != self.body(object))
         };
         let Target { two_sided, has_optional, .. } = drawn.target;
-        look(&Looked { owner: &owner, is_anothers: &is_anothers, two_sided, has_optional, model: &drawn.model })
+        let extent = drawn.bounds.diagonal();
+        look(&Looked { owner: &owner, is_anothers: &is_anothers, two_sided, has_optional, extent, model: &drawn.model })
     }
 
     /// The object drawn nearest to what a beam met, within `within` metres.

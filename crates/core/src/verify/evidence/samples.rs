@@ -116,6 +116,12 @@ impl Samples {
         self.kinds.iter().any(|kind| *kind != FaceKind::Fixed)
     }
 
+    /// Whether a face is expected to be seen: one that is fixed, where the object has any.
+    pub(in crate::verify) fn expects(&self) -> impl Fn(usize) -> bool + '_ {
+        let has_fixed = self.kinds.contains(&FaceKind::Fixed);
+        move |face| !has_fixed || self.kinds[face] == FaceKind::Fixed
+    }
+
     /// Number of samples.
     pub fn len(&self) -> usize {
         self.positions.len()

@@ -6,9 +6,9 @@
 
 use std::collections::BTreeSet;
 
-use super::second_look::Looked;
+use super::second_look::{Looked, Owner};
 use super::sight_map::SightMap;
-use crate::geometry::Vec3;
+use crate::geometry::{FaceKind, Vec3};
 use crate::num::stats::median_and_spread;
 use crate::verify::evidence::{Evidence, FoundFace};
 use crate::verify::model::{EvidenceModel, RATHER, three_sigma};
@@ -69,7 +69,7 @@ impl FarFaces<'_> {
         let mut best: Option<FoundFace> = None;
         for (face, of_face) in by_face.iter().enumerate() {
             let large = of_face.len() >= MIN_SAMPLES && of_face.len() as f64 >= MIN_OF_OBJECT * all as f64;
-            if !large || !self.is_plane(face) {
+            if !large || !self.is_plane(face) || samples.kinds[face] != FaceKind::Fixed {
                 continue;
             }
             let found = self.find_face(face, of_face, interrupt)?;
@@ -101,7 +101,9 @@ impl FarFaces<'_> {
             return Ok(None);
         }
         let Some((deviation, sd)) = measured(&plane, self.looked.model) else { return Ok(None) };
-        if self.goes_on(of_face, &normal, deviation, &plane) {
+        let model = self.looked.model;
+        let is_far = deviation > model.band_in_front() - 2.0 * FLAT_M || deviation < 2.0 * FLAT_M - model.band_behind();
+        if !is_far || self.goes_on(of_face, &normal, deviation, &plane) {
             return Ok(None);
         }
         let samples = (plane.len() * self.stride) as u32;
@@ -135,8 +137,11 @@ impl FarFaces<'_> {
             return None;
         }
         let within = (height.abs() / RATHER).min(CLAIMED_M);
-        let is_anothers = (self.looked.is_anothers)(&(met + map.origin_world), &met.normalize(), within);
-        (!is_anothers).then_some((range, height, beam.met_scanner.map(f32::to_bits)))
+        let (met_world, direction) = (met + map.origin_world, met.normalize());
+        let is_anothers = (self.looked.is_anothers)(&met_world, &direction, within);
+        // Another part of the object, where it is drawn.
+        let is_own = height.abs() > CLAIMED_M && (self.looked.owner)(&met_world, &direction) == Owner::Own;
+        (!is_anothers && !is_own).then_some((range, height, beam.met_scanner.map(f32::to_bits)))
     }
 
     /// Whether the surface that was found goes on beyond the outline of the face.

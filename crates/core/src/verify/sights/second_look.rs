@@ -5,6 +5,9 @@ use crate::geometry::Vec3;
 use crate::verify::evidence::Why;
 use crate::verify::model::{EvidenceModel, as_designed};
 
+/// What measures less than so many cells may be missed by the beam that a map remembers.
+const FEW_CELLS: f64 = 3.0;
+
 /// Whose drawn surface lies where a beam ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Owner {
@@ -27,6 +30,8 @@ pub struct Looked<'a> {
     pub two_sided: bool,
     /// Some of its parts are panes or leaves.
     pub has_optional: bool,
+    /// Its largest extent, metres.
+    pub extent: f64,
     pub model: &'a EvidenceModel,
 }
 
@@ -83,7 +88,11 @@ impl Looked<'_> {
         let (direction, towards) = (sight / range, -sight.dot(normal) / range);
         let cos = if self.two_sided { towards.abs() } else { towards };
         let Some(beam) = (cos > 0.0).then(|| map.towards(&direction)).flatten() else { return Kept::Aside };
-        let Some(met) = beam.met() else { return Kept::NothingReturned };
+        let Some(met) = beam.met() else {
+            // The one beam that is remembered here may have passed beside what is as small.
+            let is_small = self.extent < FEW_CELLS * SightMap::CELL * range;
+            return if is_small { Kept::Reached } else { Kept::NothingReturned };
+        };
         // In front of the sample's plane, on the station's side.
         let height = (met - sight).dot(normal) * towards.signum();
         let as_designed = as_designed(self.model);

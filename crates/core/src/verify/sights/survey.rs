@@ -65,8 +65,12 @@ impl Sights {
         let maps: Vec<&SightMap> = self.maps.values().collect();
         let (mut counts, mut hiders) = ([0u32; 7], BTreeMap::new());
         let stride = stride(evidence);
+        let is_expected = samples.expects();
         for (round, (i, face)) in samples.face_of_each().enumerate().step_by(stride).enumerate() {
             poll_now_and_then(round, interrupt)?;
+            if !is_expected(face) {
+                continue;
+            }
             let (why, hider) = looked.why(&maps, &samples.position(i), &samples.normals[face]);
             counts[why as usize] += 1;
             hider.into_iter().for_each(|h| *hiders.entry(h).or_insert(0u32) += 1);
