@@ -8,8 +8,9 @@ use serde_json::Value;
 
 use super::load::parse_loa;
 use crate::database::connect::{Database, DatabaseArgs, explain};
+use crate::database::origins::StationOrigins;
 use crate::database::tables;
-use crate::output::{Format, Table, rounded, spinner};
+use crate::output::{Format, Table, rounded, say, spinner};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -19,6 +20,9 @@ seen empty), unobserved (too little was seen to say), conflicting (stations cont
 coverage is seen/all samples; confirmed + refuted + open = 1 over the seen ones; deviation is the median along its
 outward normal of the largest face that is certainly off, else of the largest, and shift the rigid offset (x, y, z) with its standard deviation, both
 in metres; '-' marks an axis that the seen faces do not determine (JSON: null; CSV: an empty cell, a column an axis).
+
+Stations whose scanner's place nobody knows (merged clouds) never prove that a place is empty; how many they are is said on
+standard error, and asbuilt load --origins FILE tells their places.
 
 reason says why an object is unobserved: hidden_by_object (hidden_by: which), hidden_by_other (something that nobody
 drew), too_few beams, too_steep, not_looked_at, no_return, or shared_face (what was met may as well be another object's,
@@ -85,6 +89,9 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     let mut table = Table::new(&columns(args.format));
     for row in judged(args, &mut db)? {
         table.push(cells(&row, args.format));
+    }
+    if let Some(remark) = StationOrigins::count(&mut db, args.epoch)?.remark() {
+        say!("asbuilt: {remark}");
     }
     table.print(args.format)
 }
