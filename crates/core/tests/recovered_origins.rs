@@ -27,7 +27,8 @@ impl Room {
     fn new(rng: &mut ChaCha8Rng) -> Self {
         let has_roof = rng.random_bool(0.75);
         let scale = if has_roof { 1.0 } else { 4.0 };
-        let high = Vec3::new(rng.random_range(3.0..9.0), rng.random_range(3.0..7.0), rng.random_range(2.4..4.0)) * scale;
+        let high =
+            Vec3::new(rng.random_range(3.0..9.0), rng.random_range(3.0..7.0), rng.random_range(2.4..4.0)) * scale;
         let boxes = (0..rng.random_range(2..8)).map(|_| {
             let low = Vec3::new(rng.random_range(0.0..0.9) * high.x, rng.random_range(0.0..0.9) * high.y, 0.0);
             [low, low + Vec3::new(rng.random_range(0.2..1.5), rng.random_range(0.2..1.5), rng.random_range(0.4..2.2))]
@@ -55,11 +56,13 @@ impl Room {
             })
         };
         let wall = slab(&Vec3::zeros(), &self.high).1;
-        let front = self.boxes.iter().map(|[low, high]| slab(low, high)).filter(|(near, far)| near < far && *near > 0.0);
+        let front =
+            self.boxes.iter().map(|[low, high]| slab(low, high)).filter(|(near, far)| near < far && *near > 0.0);
         let range = front.map(|(near, _)| near).fold(wall, f64::min);
         let p = from + d * range;
         let is_sky = !self.has_roof && p.z > self.high.z - 1e-6;
-        let is_glass = self.window && p.y < 1e-6 && p.z > 1.0 && p.z < 2.0 && p.x > 0.3 * self.high.x && p.x < 0.6 * self.high.x;
+        let is_glass =
+            self.window && p.y < 1e-6 && p.z > 1.0 && p.z < 2.0 && p.x > 0.3 * self.high.x && p.x < 0.6 * self.high.x;
         (!is_sky && !is_glass).then_some(range)
     }
 }

@@ -42,8 +42,8 @@ use indicatif::ProgressBar;
 
 pub use content::{FileContents, FileFormat, form, kind};
 pub use options::ReadOptions;
-pub use origin::{IdentityPose, MAX_ORIGIN_SD_M, OriginSource, OriginsChoice};
 use origin::Settler;
+pub use origin::{IdentityPose, OriginSource, OriginsChoice};
 pub use text::Columns;
 pub use unit::Unit;
 

@@ -133,7 +133,8 @@ fn origins_of_a_merged_cloud() {
     let known = "SELECT string_agg(concat_ws(' ', substr(name, strpos(name, ' ') + 1), origin_source, origin_sd), '; ' ORDER BY id)
         FROM station WHERE pose IS NOT NULL";
     assert_eq!(client.query_one(known, &[]).unwrap().get::<_, String>(0), "1 given 0.003; 2 given");
-    let beams = "SELECT count(*) FROM (SELECT FROM scan GROUP BY ab_origin(patch) HAVING sum(ab_count(patch)) = 1000) s";
+    let beams =
+        "SELECT count(*) FROM (SELECT FROM scan GROUP BY ab_origin(patch) HAVING sum(ab_count(patch)) = 1000) s";
     assert_eq!(count(&mut client, beams), 3);
     let verify = |args: &[&str]| {
         let out = db.command(&[&["verify", "--spacing", "0.2"], args].concat()).output().unwrap();
@@ -151,9 +152,8 @@ fn origins_of_a_merged_cloud() {
     assert!(db.asbuilt(&["load", text(&file), "--origins", text(&listing)]).contains("replaces 3 stations"));
     assert!(!verify(&[]).contains("no origin"));
     // What is refused, before anything is read or changed.
-    let load = |origins: &str, more: &[&str]| {
-        db.asbuilt_fails(&[&["load", text(&file), "--origins", origins], more].concat())
-    };
+    let load =
+        |origins: &str, more: &[&str]| db.asbuilt_fails(&[&["load", text(&file), "--origins", origins], more].concat());
     fs::write(&listing, "1 0 0 1.5\n2 1 zero 1.5\n").unwrap();
     let said = load(text(&listing), &[]);
     assert!(said.contains("line 2") && said.contains("y is \"zero\""), "{said}");

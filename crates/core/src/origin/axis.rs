@@ -9,15 +9,17 @@ use super::sequence::{Sequence, scattered};
 use crate::geometry::Vec3;
 use crate::num::stats::median_and_spread;
 
-/// Most rounds; and the step of the axis that ends them, metres.
+/// Most rounds of fitting the axis.
 const ROUNDS: usize = 25;
+/// A step of the axis that ends them.
 const STILL_M: f64 = 1e-5;
-/// Points of a line by which the spread is known; and beyond how many spreads a point does not lie in its plane.
+/// Points of a line by which the spread is known.
 const COMPARED: usize = 24;
+/// Beyond so many spreads a point does not lie in the plane of its line.
 const OUTSIDE: f64 = 6.0;
-/// Angles have no smaller spread, radians: coordinates are rounded.
+/// Angles have no smaller spread: coordinates are rounded.
 const MIN_SPREAD: f64 = 1e-6;
-/// Nearer points count as this far away, metres: rounded, and a scanner's mirror is no point.
+/// Nearer points count as this far away: they are rounded, and a mirror is no point.
 const MIN_RANGE_M: f64 = 1.0;
 
 /// A line that stands, perhaps not quite upright.

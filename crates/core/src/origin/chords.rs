@@ -5,12 +5,13 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::sequence::{Sequence, scattered};
 
-/// Number of chords that are tried, and of pairs of them that propose a place.
+/// Number of chords that are tried.
 const CHORDS: usize = 4000;
+/// Number of pairs of them that propose a place.
 const PROPOSALS: usize = 400;
 /// How many points apart the ends of a chord are: more where points lie denser.
 const LAGS: [usize; 4] = [8, 32, 128, 512];
-/// A shorter chord has no direction, metres.
+/// A shorter chord has no direction.
 const MIN_CHORD_M: f64 = 0.03;
 /// A chord passes through a place if it misses it by no more than this share of its distance.
 const MAX_MISS: f64 = 0.02;

@@ -10,15 +10,19 @@ use super::sequence::{Sequence, scattered};
 use crate::geometry::Vec3;
 use crate::num::stats::{median, median_and_spread};
 
-/// Between the points of a pair there are so many steps: many, for coordinates are rounded, but a small part of a line.
+/// Between the points of a pair there is such a part of a line.
 const PARTS_OF_LINE: usize = 16;
+/// But no more steps: coordinates are rounded, but points may be missing.
 const MAX_LAG: usize = 24;
-/// Pairs by which a place is sought, and most pairs in all.
+/// Pairs by which a height is sought.
 const SOUGHT: usize = 4000;
+/// Most pairs in all.
 const MAX_PAIRS: usize = 400_000;
-/// Places that are tried first, and rounds of halving the distance between them.
+/// Heights that are tried first.
 const PLACES: usize = 300;
+/// Rounds of trying nearer ones.
 const HALVINGS: usize = 24;
+/// Most rounds of fitting the height.
 const ROUNDS: usize = 20;
 /// Between the points of an even pair there are as many steps as there should be, to this share.
 const EVEN: f64 = 0.05;
@@ -36,7 +40,13 @@ impl Pair {
     fn angle(&self, height: f64) -> f64 {
         let seen = |p: &Vector2<f64>| (p.y - height).atan2(p.x);
         let angle = seen(&self.to) - seen(&self.from);
-        if angle < -PI { angle + 2.0 * PI } else if angle > PI { angle - 2.0 * PI } else { angle }
+        if angle < -PI {
+            angle + 2.0 * PI
+        } else if angle > PI {
+            angle - 2.0 * PI
+        } else {
+            angle
+        }
     }
 
     /// How the angle changes with the height, radians a metre.

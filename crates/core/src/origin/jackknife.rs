@@ -15,7 +15,7 @@ impl<const N: usize> Grouped<N> {
         Self { groups: vec![(SMatrix::zeros(), SVector::zeros()); GROUPS] }
     }
 
-    /// Adds to the group of the `i`-th of `of` observations.
+    /// Adds to the group of the `i`-th of `of` observations, each unknown in a unit of its own.
     pub fn add(&mut self, i: usize, of: usize, a: &SMatrix<f64, N, N>, b: &SVector<f64, N>) {
         let group = &mut self.groups[(i * GROUPS / of.max(1)).min(GROUPS - 1)];
         group.0 += a;
@@ -26,7 +26,7 @@ impl<const N: usize> Grouped<N> {
         self.groups.iter().fold((SMatrix::zeros(), SVector::zeros()), |sum, g| (sum.0 + g.0, sum.1 + g.1))
     }
 
-    /// The solution; `None` where it is not determined.
+    /// The solution, each unknown in a unit of its own; `None` where it is not determined.
     pub fn solution(&self) -> Option<SVector<f64, N>> {
         let (a, b) = self.total();
         solved(a, b)

@@ -8,7 +8,7 @@ use nalgebra::Vector2;
 use super::sequence::Sequence;
 use crate::geometry::Vec3;
 
-/// A fall of the angle by this much begins a line, radians. Edges of near things, seen from a place beside the true one,
+/// A fall of the angle by this much begins a line. Edges of near things, seen from a place beside the true one,
 /// let it fall by less.
 const FALL: f64 = 0.3;
 /// Lines of fewer points are left out.

@@ -7,11 +7,12 @@
 //! tell the place on it:
 //!
 //! * [`sequence`]: points in the order of measurement;
+//! * [`jackknife`]: least squares, and how well their result is known (Kott 2001, "The delete-a-group jackknife", J. Official
+//!   Statistics 17);
 //! * [`chords`]: a first axis, from lines through points that follow each other;
 //! * [`lines`]: the sequence cut into scan lines;
 //! * [`axis`]: the line in which the planes of the scan lines meet, with its tilt, by robust least squares;
 //! * [`height`]: the place on the axis from which the steps of a scan line are equal angles;
-//! * [`jackknife`]: how well the result is known (Kott 2001, "The delete-a-group jackknife", J. Official Statistics 17);
 //! * [`recover`]: all of it, and the proof.
 //!
 //! Assumed is that the axis stands within a few degrees of the vertical, and that a scan line has a mirror's, not a

@@ -12,24 +12,25 @@ use crate::geometry::Vec3;
 use crate::num::stats::median;
 use crate::scan::Beam;
 
-/// Fewer points have too few lines.
+/// Fewer points tell nothing.
 const MIN_POINTS: usize = 5000;
+/// Fewer lines have no axis.
 const MIN_LINES: usize = 60;
 /// The most points that are fitted: of more, some lines.
 const MAX_FITTED: usize = 3_000_000;
-/// A line is proven to be measured from the place if such shares of it lie in its plane and follow each other evenly. The
-/// lines of another place lie in planes where they see walls alone, but are not even.
+/// A line is proven to be measured from the place if such a share of its points lies in its plane, and it is even.
 const MIN_IN_PLANE: f64 = 0.9;
+/// And if such a share of its pairs is even: the lines of another place, where they see walls alone, lie in planes, too.
 const MIN_EVEN: f64 = 0.5;
 /// Share of the points in proven lines: of whole simulated scans at least 0.998. A second station of more is noticed.
 const MIN_PROVEN: f64 = 0.99;
-/// The planes of lines are known at least so well, radians.
+/// The planes of lines are known at least so well.
 const MAX_SPREAD: f64 = 2e-3;
 /// Share of the pairs between which no point is missing: where most are so, the others stand out and count for nothing.
 const MIN_EXACT: f64 = 0.6;
-/// An axis that leans more is no tripod's (3°).
+/// An axis that leans more to a metre is no tripod's (3°).
 const MAX_LEAN: f64 = 0.05;
-/// The mirror of a scanner is not nearer to its axis than this, metres.
+/// No place is known better than this: a mirror does not turn exactly in its axis.
 const MIN_SD_M: f64 = 1e-3;
 
 /// Where a scanner stood.

@@ -38,7 +38,9 @@ pub struct Listing {
 
 impl Listing {
     pub fn read(path: &Path) -> Result<Self> {
-        Self::read_text(path).and_then(|text| Self::parse(&text)).with_context(|| format!("--origins {}", path.display()))
+        Self::read_text(path)
+            .and_then(|text| Self::parse(&text))
+            .with_context(|| format!("--origins {}", path.display()))
     }
 
     fn read_text(path: &Path) -> Result<String> {
@@ -171,11 +173,8 @@ mod tests {
     #[test]
     fn a_listing_is_read_in_every_dress() {
         let want = |sd: Option<f64>| {
-            let station = |name: &str, x: f64| ListedStation {
-                name: name.into(),
-                position_world: Vec3::new(x, -2.5, 1.6),
-                sd,
-            };
+            let station =
+                |name: &str, x: f64| ListedStation { name: name.into(), position_world: Vec3::new(x, -2.5, 1.6), sd };
             Listing { stations: vec![station("1", 1.0), station("2", 12.25)] }
         };
         for text in [

@@ -21,5 +21,5 @@ mod settle;
 pub use choice::OriginsChoice;
 pub use judge::IdentityPose;
 pub(crate) use listing::Listing;
-pub use place::{MAX_ORIGIN_SD_M, OriginSource};
+pub use place::OriginSource;
 pub use settle::Settler;

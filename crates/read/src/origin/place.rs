@@ -29,7 +29,7 @@ impl OriginSource {
 
 /// An origin that is known no better than this (standard deviation, metres) is not used: beams from a place beside the
 /// true one pass through edges of what stands there, and would prove it away.
-pub const MAX_ORIGIN_SD_M: f64 = 0.1;
+const MAX_ORIGIN_SD_M: f64 = 0.1;
 
 /// A place where a scanner stood.
 #[derive(Debug, Clone, Copy, PartialEq)]

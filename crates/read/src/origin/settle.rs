@@ -100,7 +100,9 @@ mod tests {
             for (y, source) in (0..5).flat_map(|y| sources.iter().map(move |s| (y, *s))) {
                 let gps_time = (format > 5).then_some(0.0);
                 let (x, y, z) = (f64::from(source), f64::from(y), 1.0);
-                writer.write_point(las::Point { x, y, z, point_source_id: source, gps_time, ..Default::default() }).unwrap();
+                writer
+                    .write_point(las::Point { x, y, z, point_source_id: source, gps_time, ..Default::default() })
+                    .unwrap();
             }
             writer.close().unwrap();
             file
@@ -191,8 +193,10 @@ mod tests {
 
     #[test]
     fn scans_of_one_file_go_by_name_or_number() {
-        let places = |scans: Vec<RawScan>| scans.iter().map(|s| s.origin_source.map(|_| s.anchor.x)).collect::<Vec<_>>();
-        let named = settled("hall,1,0,0\ncellar,2,0,0\n", &[("Cellar", false), ("roof", false), ("hall", true)]).unwrap();
+        let places =
+            |scans: Vec<RawScan>| scans.iter().map(|s| s.origin_source.map(|_| s.anchor.x)).collect::<Vec<_>>();
+        let named =
+            settled("hall,1,0,0\ncellar,2,0,0\n", &[("Cellar", false), ("roof", false), ("hall", true)]).unwrap();
         assert!(named[1].notes[0].contains("not in the listing"), "{:?}", named[1].notes);
         assert!(named[2].notes[0].contains("goes before --origins"), "{:?}", named[2].notes);
         assert_eq!(places(named), [Some(2.0), None, Some(9.0)]);
