@@ -32,7 +32,7 @@ impl<const N: usize> Grouped<N> {
         solved(a, b)
     }
 
-    /// The solutions without each group.
+    /// The solutions without each group, each unknown in a unit of its own.
     pub fn without_each(&self) -> Option<Vec<SVector<f64, N>>> {
         let (a, b) = self.total();
         self.groups.iter().map(|(ga, gb)| solved(a - ga, b - gb)).collect()
@@ -51,14 +51,14 @@ fn solved<const N: usize>(a: SMatrix<f64, N, N>, b: SVector<f64, N>) -> Option<S
     x.iter().all(|v| v.is_finite()).then_some(x)
 }
 
-/// Standard deviation of a value of which these are the ones without each group.
+/// Standard deviation, in the unit of the values, of a value of which these are the ones without each group.
 pub fn deviation(without_each: impl Iterator<Item = f64> + Clone) -> f64 {
     let n = without_each.clone().count() as f64;
     let mean = without_each.clone().sum::<f64>() / n;
     ((n - 1.0) / n * without_each.map(|v| (v - mean).powi(2)).sum::<f64>()).sqrt()
 }
 
-/// Tukey's weight of a residual that has this spread (standard deviation).
+/// Tukey's weight, without unit, of a residual that has this spread (σ).
 pub fn tukey(residual: f64, spread: f64) -> f64 {
     let part = residual / (4.685 * spread);
     if part.abs() < 1.0 { (1.0 - part * part).powi(2) } else { 0.0 }

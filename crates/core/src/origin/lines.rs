@@ -14,7 +14,7 @@ const FALL: f64 = 0.3;
 /// Lines of fewer points are left out.
 pub const MIN_POINTS: usize = 32;
 
-/// Scan lines, each a range of the sequence.
+/// Scan lines, each a range of the sequence, as seen from a place (metres from the anchor).
 pub fn cut(points: Sequence, centre: &Vec3) -> Vec<Range<usize>> {
     let mut lines = Vec::new();
     let mut cutter = Cutter { ahead: Vector2::x(), start: 0, last: f64::INFINITY };

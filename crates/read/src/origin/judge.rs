@@ -73,24 +73,39 @@ pub fn judged(scan: RawScan, options: &ReadOptions) -> RawScan {
         }
         Passing::Unknown => return scan,
     };
-    let percent = share * 100.0;
-    let beams = "of the beams from there pass through nearer surfaces";
-    if is_identity && share > limit {
-        let why = format!("a merged cloud: no scanner stood at zero, {percent:.1} % {beams}");
-        return points(scan, why);
+    let passing = Doubt { share, limit, wrong };
+    passing.held_against(scan, is_identity)
+}
+
+/// How many beams pass through nearer surfaces, and how many may: before there is a doubt, and before it is certain.
+struct Doubt {
+    share: f64,
+    limit: f64,
+    wrong: f64,
+}
+
+impl Doubt {
+    fn held_against(&self, scan: RawScan, is_identity: bool) -> RawScan {
+        let Self { share, limit, wrong } = *self;
+        let percent = share * 100.0;
+        let beams = "of the beams from there pass through nearer surfaces";
+        if is_identity && share > limit {
+            let why = format!("a merged cloud: no scanner stood at zero, {percent:.1} % {beams}");
+            return points(scan, why);
+        }
+        // Nobody says so but the points: no doubt is allowed.
+        if scan.origin_source == Some(OriginSource::Recovered) && share > limit {
+            return points(scan, format!("the position recovered is none: {percent:.1} % {beams}"));
+        }
+        if share > wrong {
+            return points(scan, format!("no scanner stood at the position told: {percent:.1} % {beams}"));
+        }
+        let mut scan = scan;
+        if share > limit {
+            scan.notes.push(format!("{percent:.1} % of the beams pass between nearer returns: trees and fences do that, and a position that is a little wrong"));
+        }
+        scan
     }
-    // Nobody says so but the points: no doubt is allowed.
-    if scan.origin_source == Some(OriginSource::Recovered) && share > limit {
-        return points(scan, format!("the position recovered is none: {percent:.1} % {beams}"));
-    }
-    if share > wrong {
-        return points(scan, format!("no scanner stood at the position told: {percent:.1} % {beams}"));
-    }
-    let mut scan = scan;
-    if share > limit {
-        scan.notes.push(format!("{percent:.1} % of the beams pass between nearer returns: trees and fences do that, and a position that is a little wrong"));
-    }
-    scan
 }
 
 fn is_none(rotation: [f64; 4]) -> bool {
