@@ -232,6 +232,27 @@ fn a_thinned_scan_is_recovered_rightly_or_not() {
     assert!(wrong.is_empty(), "{wrong:?}");
 }
 
+/// No value is too odd to be told.
+#[test]
+fn odd_points_are_told() {
+    type Place = fn(f64) -> Vec3;
+    let places: [Place; 8] = [
+        |_| Vec3::zeros(),
+        |i| Vec3::new(i, 0.0, 0.0),
+        |i| Vec3::new(0.0, 0.0, i),
+        |i| Vec3::new(f64::NAN, i, i),
+        |i| Vec3::new(f64::INFINITY, -i, f64::NEG_INFINITY),
+        |i| Vec3::new(1e300 * i, -1e300, 1e300 / (i + 1.0)),
+        |i| Vec3::new((i * 0.7).sin(), (i * 0.7).cos(), 1e-300 * i),
+        |i| Vec3::new(f64::MIN_POSITIVE, i % 2.0, f64::MAX * (i % 3.0)),
+    ];
+    for place in places {
+        let beams: Vec<Beam> = (0..8000).map(|i| Beam { offset: place(f64::from(i)), returned: true }).collect();
+        assert!(of(&beams).is_err());
+    }
+    assert_eq!(of(&[]), Err(NotRecovered::TooFewPoints(0)));
+}
+
 /// Points of photographs: on surfaces, with noise, in the rows of images taken on a walk.
 fn matched(room: &Room, rng: &mut ChaCha8Rng) -> Vec<Beam> {
     let mut out = Vec::new();
