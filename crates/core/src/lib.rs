@@ -9,6 +9,7 @@
 //! * [`uncertain`]: points, lines, planes and poses with covariance, and tests on them;
 //! * [`evidence`]: belief masses, Dempster's rule, the published ray model, levels of accuracy;
 //! * [`scan`]: beams from one origin, packed in angular tiles ([`scan::Patch`]);
+//! * [`origin`]: where a scanner stood, from its points alone;
 //! * [`verify`]: what the beams say about a solid ([`verify::Evidence`]) and the verdict;
 //! * [`voxel`]: which places are occupied, empty or unknown ([`voxel::Occupancy`]), and what changed.
 //!
@@ -43,6 +44,7 @@ pub mod error;
 pub mod evidence;
 pub mod geometry;
 pub mod num;
+pub mod origin;
 pub mod scan;
 pub mod uncertain;
 pub mod verify;

@@ -9,11 +9,12 @@ const BEGIN: &str = "<!-- Thresholds: made from the code by crates/core/tests/th
 const END: &str = "<!-- End of the thresholds -->\n";
 
 /// Where beams and geometry are judged: files and folders, in the order of the method.
-const PLACES: [&str; 16] = [
+const PLACES: [&str; 17] = [
     "geometry/face.rs",
     "geometry/weld.rs",
     "evidence",
     "scan/tile.rs",
+    "origin",
     "verify/aim",
     "verify/model",
     "verify/evidence/samples.rs",
@@ -77,7 +78,7 @@ fn unit(name: &str, ty: &str) -> &'static str {
         n if n.ends_with("_SIGMAS") || n == "CERTAINLY_OFF" || n == "HUBER" || n == "TUKEY" => "σ",
         n if n.ends_with("_COS") => "cosine",
         n if n.ends_with("_SPACINGS") => "beam spacings",
-        "MAX_EXTENT" | "MAX_SLOPE" => "rad",
+        "MAX_EXTENT" | "MAX_SLOPE" | "FALL" | "MIN_SPREAD" | "MAX_SPREAD" => "rad",
         _ if ty.starts_with('f') => "1",
         _ => "count",
     }

@@ -42,12 +42,13 @@ use indicatif::ProgressBar;
 
 pub use content::{FileContents, FileFormat, form, kind};
 pub use options::ReadOptions;
-pub use origin::IdentityPose;
+use origin::Settler;
+pub use origin::{IdentityPose, OriginSource, OriginsChoice};
 pub use text::Columns;
 pub use unit::Unit;
 
 /// What a scan file holds, one value per scanner position.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct RawScan {
     /// Name in the file, or the file's own.
     pub name: String,
@@ -55,10 +56,18 @@ pub struct RawScan {
     pub sensor: Option<String>,
     /// Rotation of scanner to world (unit quaternion w, x, y, z); `None` when the points have no origin.
     pub world_from_scan: Option<[f64; 4]>,
+    /// Who says where the scanner stood; `None` when the points have no origin.
+    pub origin_source: Option<OriginSource>,
+    /// Standard deviation of the origin an axis, metres, where it is known.
+    pub origin_sd: Option<f64>,
     /// The scanner's place, or a reference point near the data; world metres.
     pub anchor: Vec3,
     /// Beams relative to `anchor`, world axes; with intensity and colour where they were asked for and are there.
     pub content: Beams,
+    /// Point source id of every beam (LAS), where origins are sought by them.
+    pub point_sources: Option<Vec<u16>>,
+    /// How many scans its file holds, where that is known before it was read.
+    pub scans_in_file: Option<u64>,
     /// Number of unusable points: not finite, or impossibly far.
     pub unusable: u64,
     pub order: Order,
@@ -69,12 +78,13 @@ pub struct RawScan {
 }
 
 /// How the points of a scan are arranged.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Order {
     /// In rows and columns, or by angles: as a scanner measures.
     Measured,
     /// In no order, in a format that gives scans rows and columns.
     List,
+    #[default]
     NotTold,
 }
 
@@ -87,6 +97,9 @@ impl RawScan {
         let kept: Vec<u32> =
             (0..self.content.len() as u32).filter(|&i| keep(&self.content.beams[i as usize])).collect();
         self.content = self.content.select(&kept);
+        if let Some(sources) = &mut self.point_sources {
+            *sources = kept.iter().map(|&i| sources[i as usize]).collect();
+        }
     }
 }
 
@@ -101,8 +114,20 @@ pub type ScanSink<'a> = &'a mut dyn FnMut(RawScan) -> Result<()>;
 
 /// Reads every scan of a file. A library that panics on a damaged file becomes an error.
 pub fn read_scans(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
-    let sink: ScanSink = &mut |scan| sink(origin::judged(scan, options));
-    let read = || match content::form(path)? {
+    let read = || {
+        let mut settler = Settler::new(options)?;
+        read_raw(path, options, bar, &mut |scan| settler.settle(scan, sink))?;
+        settler.finish()
+    };
+    silence_panics(read)
+        .unwrap_or_else(|_| Err(anyhow!("the file is damaged: its reader gave up in the middle")))
+        .map_err(in_words)
+        .with_context(|| format!("{}", path.display()))
+}
+
+/// Every scan as its file tells it.
+fn read_raw(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
+    match content::form(path)? {
         FileFormat::E57 => e57::read(path, options, bar, sink),
         FileFormat::Las => las::read(path, options, bar, sink),
         FileFormat::Ply => ply::read(path, options, bar, sink),
@@ -110,11 +135,7 @@ pub fn read_scans(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: S
         FileFormat::Pcd => pcd::read(path, options, bar, sink),
         FileFormat::Text => xyz::read(path, options, bar, sink),
         FileFormat::Ifc => bail!("it is a building model, not a scan"),
-    };
-    silence_panics(read)
-        .unwrap_or_else(|_| Err(anyhow!("the file is damaged: its reader gave up in the middle")))
-        .map_err(in_words)
-        .with_context(|| format!("{}", path.display()))
+    }
 }
 
 /// Runs `work`; a panic inside is caught and not printed.
@@ -153,11 +174,22 @@ fn scan_of_points(path: &Path, points: Vec<Vec3>, options: &ReadOptions) -> Resu
 
 /// The same with attributes; offsets are still world coordinates.
 fn scan_of_content(path: &Path, content: Beams, options: &ReadOptions) -> Result<RawScan> {
+    scan_of_sources(path, content, None, options)
+}
+
+/// The same with the point source ids of LAS.
+fn scan_of_sources(
+    path: &Path,
+    content: Beams,
+    point_sources: Option<Vec<u16>>,
+    options: &ReadOptions,
+) -> Result<RawScan> {
     let origin = options.origin;
     let world_from_scan = origin.map(|_| NO_ROTATION);
-    let (name, anchor) = (stem(path), Vec3::zeros());
-    let (unusable, order, notes, facts) = (0, Order::NotTold, Vec::new(), Facts::new());
-    let mut scan = RawScan { name, sensor: None, world_from_scan, anchor, content, unusable, order, notes, facts };
+    let origin_source = origin.map(|_| OriginSource::Given);
+    let name = stem(path);
+    let scan = RawScan { name, world_from_scan, origin_source, content, point_sources, ..RawScan::default() };
+    let mut scan = RawScan { scans_in_file: Some(1), ..scan };
     unit::apply(options.file_unit, &mut scan);
     let all = scan.content.len();
     scan.retain(|b| b.offset.iter().all(|c| c.is_finite()));

@@ -4,13 +4,19 @@ use asbuilt_core::geometry::Vec3;
 use asbuilt_core::num::text::numbers;
 use clap::ValueEnum;
 
-use super::{Columns, IdentityPose, Unit};
+use super::origin::Listing;
+use super::{Columns, IdentityPose, OriginsChoice, Unit};
 
 #[derive(clap::Args, Debug, Clone, Default)]
 pub struct ReadOptions {
     /// The scanner's position, for files that do not tell it
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_origin)]
     pub origin: Option<Vec3>,
+    /// Several scanner positions: a text with a line station,x,y,z[,sd] each (metres), where a station is a point source id of LAS,
+    /// or the name or the number of a scan; or none: points without origin, whatever the file says; or recover: find the
+    /// position from the order of the points, where it proves it (whole scans of a tripod, one a file or a point source id)
+    #[arg(long, value_name = "FILE|none|recover", conflicts_with = "origin")]
+    pub origins: Option<OriginsChoice>,
     /// Keep the intensity of every return (E57, LAS, LAZ, texts with a column i); 1 to 2 bytes a beam more
     #[arg(long)]
     pub intensity: bool,
@@ -35,10 +41,19 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
+    /// Refuses a listing of origins that cannot be read, before anything else is done.
+    pub fn check(&self) -> anyhow::Result<()> {
+        match &self.origins {
+            Some(OriginsChoice::Listed(file)) => Listing::read(file).map(|_| ()),
+            _ => Ok(()),
+        }
+    }
+
     /// As arguments of a command line.
     pub fn arguments(&self) -> Vec<String> {
         let mut out = vec![format!("--identity-pose={}", word(&self.identity_pose))];
         out.extend(self.origin.map(|o| format!("--origin={},{},{}", o.x, o.y, o.z)));
+        out.extend(self.origins.as_ref().map(|origins| format!("--origins={origins}")));
         out.extend(self.columns.as_ref().map(|columns| format!("--columns={columns}")));
         out.extend(self.file_unit.map(|unit| format!("--file-unit={}", word(&unit))));
         let flags = [
@@ -76,6 +91,7 @@ mod tests {
     fn what_is_handed_on_is_what_was_given() {
         let given = ReadOptions {
             origin: Some(Vec3::new(-0.1, 1e-7, 5e6)),
+            origins: None,
             intensity: true,
             colour: true,
             columns: Some("-,y,x,z".parse().unwrap()),
@@ -84,7 +100,8 @@ mod tests {
             keep_noise: true,
             identity_pose: IdentityPose::Merged,
         };
-        for options in [given, ReadOptions::default()] {
+        let listed = |text: &str| ReadOptions { origin: None, origins: text.parse().ok(), ..given.clone() };
+        for options in [listed("none"), listed("recover"), listed("-a b.csv"), given, ReadOptions::default()] {
             let line = Line::parse_from(["read-scan".to_owned()].into_iter().chain(options.arguments()));
             assert_eq!(format!("{:?}", line.options), format!("{options:?}"));
         }

@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
 use super::grid::{GridCell, missing_directions};
 use super::text::{Lines, numbers};
-use super::{Facts, NO_ROTATION, Order, RawScan, ReadOptions, ScanSink, stem, unit};
+use super::{Facts, NO_ROTATION, Order, OriginSource, RawScan, ReadOptions, ScanSink, stem, unit};
 
 /// Reads every scan of the file.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
@@ -37,7 +37,9 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSin
         let unusable = if order == Order::List { empty } else { 0 };
         let name = if number == 1 { stem(path) } else { format!("{} #{number}", stem(path)) };
         let (world_from_scan, content) = (Some(quaternion(&rotation)), Beams::of(beams));
-        let mut scan = RawScan { name, sensor: None, world_from_scan, anchor, content, unusable, order, notes, facts };
+        let origin_source = Some(OriginSource::File);
+        let scan = RawScan { name, world_from_scan, origin_source, anchor, content, ..RawScan::default() };
+        let mut scan = RawScan { unusable, order, notes, facts, ..scan };
         unit::apply(options.file_unit, &mut scan);
         sink(scan)?;
     }

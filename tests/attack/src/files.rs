@@ -134,9 +134,11 @@ impl Loader {
         let damaged = if ending == "e57" && rng.random_bool(0.7) { with_page_checksums(damaged) } else { damaged };
         let path = self.folder.join(format!("damaged.{ending}"));
         std::fs::write(&path, damaged).expect("a damaged file");
-        let options: &[&str] = match rng.random_range(0..3) {
+        let options: &[&str] = match rng.random_range(0..5) {
             0 => &[],
             1 => &["--origin", "0,0,0"],
+            2 => &["--origins", "recover"],
+            3 => &["--origins", "none", "--intensity"],
             _ => &["--origin", "0,0,0", "--intensity", "--colour"],
         };
         self.load(report, &path, options);

@@ -47,7 +47,7 @@ CREATE VIEW seen AS SELECT * FROM scan WHERE epoch = 1;";
 
 /// All rows, whatever the order of columns.
 const ROWS: &str = "SELECT concat((SELECT md5(string_agg(b::text, ';' ORDER BY id)) FROM building_object b),
-    (SELECT md5(string_agg(s::text, ';' ORDER BY id)) FROM station s),
+    (SELECT md5(string_agg(concat(id, epoch, name, pose, sensor, source), ';' ORDER BY id)) FROM station),
     (SELECT md5(string_agg(concat(station_id, epoch, patch), ';' ORDER BY station_id, patch::text)) FROM scan), (SELECT count(*) FROM seen))";
 
 fn rows(client: &mut Client) -> String {
@@ -73,6 +73,14 @@ fn layout(client: &mut Client) -> (i32, i64, bool) {
     (row.get(0), row.get(1), row.get(2))
 }
 
+/// How many stations tell who knows their origin, and how many columns with comments there are for it.
+fn origins(client: &mut Client) -> String {
+    let sql = "SELECT format('%s of %s, %s columns with comments', count(origin_source), count(*),
+        (SELECT count(col_description(attrelid, attnum)) FROM pg_attribute
+         WHERE attrelid = 'station'::regclass AND attname IN ('origin_source', 'origin_sd'))) FROM station";
+    client.query_one(sql, &[]).unwrap().get(0)
+}
+
 #[test]
 fn the_owner_migrates() {
     let (db, mut client) = Database::with_extension("layout_owner");
@@ -88,20 +96,22 @@ fn the_owner_migrates() {
     std::fs::write(&bad, "1 2 3\nx\n").unwrap();
     let said = db.asbuilt_fails(&["load", text(&bad)]);
     assert!(said.contains("brought to layout 2") && said.contains("primary key id"), "{said}");
+    assert!(said.contains("brought to layout 3") && said.contains("origin_source"), "{said}");
     assert_eq!(rows(&mut client), before);
-    assert_eq!(layout(&mut client), (2, 3, true));
+    assert_eq!(layout(&mut client), (3, 3, true));
+    assert_eq!(origins(&mut client), "0 of 3, 2 columns with comments");
     let said = db.asbuilt(&["load", text(&file("layout_new.xyz"))]);
     assert!(!said.contains("brought to"), "{said}");
-    assert_eq!(layout(&mut client), (2, 4, true));
+    assert_eq!(layout(&mut client), (3, 4, true));
     // What a key is for: a published table is replaced.
     client
         .batch_execute("CREATE PUBLICATION p FOR TABLE scan; DELETE FROM scan WHERE station_id = 4; DROP PUBLICATION p")
         .unwrap();
     // A newer program's tables are left alone.
-    client.batch_execute("UPDATE asbuilt_layout SET layout = 3").unwrap();
+    client.batch_execute("UPDATE asbuilt_layout SET layout = 4").unwrap();
     for args in [&["load", text(&file("layout_new.xyz"))][..], &["verify"], &["change", "--from", "1", "--to", "1"]] {
         let said = db.asbuilt_fails(args);
-        assert!(said.contains("layout 3") && said.contains("newer"), "{said}");
+        assert!(said.contains("layout 4") && said.contains("newer"), "{said}");
     }
 }
 
@@ -110,7 +120,8 @@ fn a_new_database_has_a_key_and_its_layout() {
     let db = Database::new("layout_new");
     db.asbuilt(&["load", text(&file("fresh.xyz"))]);
     let mut client = db.connect();
-    assert_eq!(layout(&mut client), (2, 1, true));
+    assert_eq!(layout(&mut client), (3, 1, true));
+    assert_eq!(origins(&mut client), "0 of 1, 2 columns with comments");
     let identity: String = client
         .query_one(
             "SELECT attidentity::text FROM pg_attribute WHERE attrelid = 'scan'::regclass AND attname = 'id'",
@@ -144,7 +155,39 @@ fn a_database_of_0_1_0_is_migrated() {
     let back = db.dumped_and_restored("layout_010_back");
     let mut client = back.connect();
     assert_eq!(rows(&mut client), before);
-    assert_eq!(layout(&mut client), (2, 3, true));
+    assert_eq!(layout(&mut client), (3, 3, true));
+}
+
+/// Tables as programs before station told how origins are known made them, dumped and restored.
+#[test]
+fn a_database_of_layout_2_is_migrated() {
+    let (db, mut client) = Database::with_extension("layout_2");
+    client.batch_execute(OLD).unwrap();
+    client
+        .batch_execute(
+            "ALTER TABLE scan ADD COLUMN id bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY;
+             CREATE TABLE asbuilt_layout (layout integer NOT NULL, one boolean NOT NULL DEFAULT true CHECK (one) PRIMARY KEY);
+             INSERT INTO asbuilt_layout VALUES (2)",
+        )
+        .unwrap();
+    let before = rows(&mut client);
+    let back = db.dumped_and_restored("layout_2_back");
+    let mut client = back.connect();
+    // Who only looks needs no migration.
+    assert_eq!(back.verify(&["--spacing", "0.1"]).len(), 3);
+    let said = back.asbuilt(&["load", text(&file("layout_2.xyz")), "--origin", "0,0,1.5"]);
+    assert!(said.contains("brought to layout 3") && !said.contains("layout 2"), "{said}");
+    let given = "SELECT count(*) FROM station WHERE origin_source = 'given' AND origin_sd IS NULL AND pose IS NOT NULL";
+    assert_eq!(client.query_one(given, &[]).unwrap().get::<_, i64>(0), 1);
+    client.batch_execute("DELETE FROM station WHERE source <> 'old.e57'").unwrap();
+    assert_eq!(rows(&mut client), before);
+    assert_eq!(origins(&mut client), "0 of 3, 2 columns with comments");
+    // A column of the user's own in the way.
+    client
+        .batch_execute("ALTER TABLE station DROP COLUMN origin_sd; ALTER TABLE station ADD COLUMN origin_sd text")
+        .unwrap();
+    let said = back.asbuilt_fails(&["load", text(&file("layout_2.xyz"))]);
+    assert!(said.contains("RENAME COLUMN origin_sd"), "{said}");
 }
 
 #[test]
@@ -187,7 +230,7 @@ fn a_member_of_the_owning_role_migrates_and_others_are_told() {
     assert!(done, "{said}");
     let (done, said) = load(&roles[0]);
     assert!(done, "{said}");
-    assert_eq!(layout(&mut client).0, 2);
+    assert_eq!(layout(&mut client).0, 3);
     drop(client);
 }
 
@@ -209,7 +252,7 @@ fn at_the_same_time() {
         })
         .collect();
     assert_eq!(said.iter().filter(|s| s.contains("brought to layout 2")).count(), 1, "{said:?}");
-    assert_eq!(layout(&mut client), (2, 7, true));
+    assert_eq!(layout(&mut client), (3, 7, true));
 }
 
 /// Tables of these names that are something else are not touched.

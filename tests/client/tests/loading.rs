@@ -109,6 +109,62 @@ fn las_and_laz() {
     }
 }
 
+/// A merged delivery whose stations are listed, the same without origin, and what is said of verdicts on it.
+#[test]
+fn origins_of_a_merged_cloud() {
+    let db = Database::new("origins");
+    let (file, listing) = (scratch("merged.las"), scratch("stations.csv"));
+    let mut builder = las::Builder::from((1, 2));
+    builder.transforms = las::Vector {
+        x: las::Transform { scale: 1e-4, offset: 0.0 },
+        y: las::Transform { scale: 1e-4, offset: 0.0 },
+        z: las::Transform { scale: 1e-4, offset: 0.0 },
+    };
+    let mut writer = las::Writer::from_path(&file, builder.into_header().unwrap()).unwrap();
+    for i in 0..3000u16 {
+        let (x, y, z) = (5.0, f64::from(i % 50) * 0.02, f64::from(i / 50) * 0.02);
+        writer.write_point(las::Point { x, y, z, point_source_id: 1 + i % 3, ..Default::default() }).unwrap();
+    }
+    writer.close().unwrap();
+    fs::write(&listing, "station,x,y,z,sd\n1,0,0,1.5,0.003\n2,1,0,1.5\n").unwrap();
+    let said = db.asbuilt(&["load", text(&project("demo/pavilion.ifc")), text(&file), "--origins", text(&listing)]);
+    assert!(said.contains("1000 points have the point source ids 3"), "{said}");
+    let mut client = db.connect();
+    let known = "SELECT string_agg(concat_ws(' ', substr(name, strpos(name, ' ') + 1), origin_source, origin_sd), '; ' ORDER BY id)
+        FROM station WHERE pose IS NOT NULL";
+    assert_eq!(client.query_one(known, &[]).unwrap().get::<_, String>(0), "1 given 0.003; 2 given");
+    let beams =
+        "SELECT count(*) FROM (SELECT FROM scan GROUP BY ab_origin(patch) HAVING sum(ab_count(patch)) = 1000) s";
+    assert_eq!(count(&mut client, beams), 3);
+    let verify = |args: &[&str]| {
+        let out = db.command(&[&["verify", "--spacing", "0.2"], args].concat()).output().unwrap();
+        assert!(out.status.success());
+        String::from_utf8(out.stderr).unwrap()
+    };
+    let said = verify(&[]);
+    assert!(said.contains("1 of 3 stations have no origin") && said.contains("--origins FILE"), "{said}");
+    // Without origin, whatever is known.
+    let said = db.asbuilt(&["load", text(&file), "--origins", "none", "--epoch", "2"]);
+    assert!(said.contains("never that a place is empty") && !said.contains("give --origin"), "{said}");
+    assert!(verify(&["--epoch", "2"]).contains("1 of 1 stations have no origin"));
+    // Nothing to say where all are known; loading again replaces.
+    fs::write(&listing, "1 0 0 1.5\n2 1 0 1.5\n3 2 0 1.5\n").unwrap();
+    assert!(db.asbuilt(&["load", text(&file), "--origins", text(&listing)]).contains("replaces 3 stations"));
+    assert!(!verify(&[]).contains("no origin"));
+    // What is refused, before anything is read or changed.
+    let load =
+        |origins: &str, more: &[&str]| db.asbuilt_fails(&[&["load", text(&file), "--origins", origins], more].concat());
+    fs::write(&listing, "1 0 0 1.5\n2 1 zero 1.5\n").unwrap();
+    let said = load(text(&listing), &[]);
+    assert!(said.contains("line 2") && said.contains("y is \"zero\""), "{said}");
+    assert!(load(text(&scratch("nowhere.csv")), &[]).contains("cannot open it"));
+    assert!(load("none", &["--origin", "1,2,3"]).contains("cannot be used with"));
+    fs::write(&listing, "17 0 0 1.5\n18 1 0 1.5\n").unwrap();
+    let said = load(text(&listing), &[]);
+    assert!(said.contains("ids 1, 2, 3") && said.contains("stations 17, 18"), "{said}");
+    assert_eq!(count(&mut client, "SELECT count(*) FROM station WHERE epoch = 1"), 3);
+}
+
 #[test]
 fn ptx_without_returns() {
     let db = Database::new("ptx");

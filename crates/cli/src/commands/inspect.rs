@@ -11,7 +11,7 @@ use super::reading::ReadingArgs;
 use crate::output::{safe, say};
 use asbuilt_read::child::{Event, ReadingProcess, ScanHead};
 use asbuilt_read::packing::Packed;
-use asbuilt_read::{self as read, FileFormat, ifc};
+use asbuilt_read::{self as read, FileFormat, OriginSource, ifc};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -96,6 +96,8 @@ fn scan(head: &ScanHead, packed: Option<&Packed>) -> Value {
         "name": head.name,
         "sensor": head.sensor,
         "origin": origin,
+        "origin_source": head.origin_source.map(OriginSource::name),
+        "origin_sd": head.origin_sd,
         "rotation": head.world_from_scan,
         "returns": packed.map_or(0, |p| p.beams - p.no_returns),
         "no_returns": packed.map_or(0, |p| p.no_returns),

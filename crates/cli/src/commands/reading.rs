@@ -36,7 +36,7 @@ impl ReadingArgs {
         if !(self.min_range >= 0.0 && self.min_range.is_finite()) {
             bail!("--min-range {} must be 0 or more", self.min_range);
         }
-        Ok(())
+        self.options.check()
     }
 
     pub fn max_memory(&self) -> u64 {

@@ -8,8 +8,9 @@ use serde_json::Value;
 
 use super::load::parse_loa;
 use crate::database::connect::{Database, DatabaseArgs, explain};
+use crate::database::origins::StationOrigins;
 use crate::database::tables;
-use crate::output::{Format, Table, rounded, spinner};
+use crate::output::{Format, Table, rounded, say, spinner};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -22,6 +23,9 @@ in metres; '-' marks an axis that the seen faces do not determine (JSON: null; C
 
 An object is looked for up to --reach from its drawn place (a plane face, as large as its own, that no other object
 explains): deviating by that distance. Farther off it is absent, if its place was seen empty.
+
+Stations whose scanner's place nobody knows (merged clouds) never prove that a place is empty; how many they are is said on
+standard error, and asbuilt load --origins FILE tells their places.
 
 reason says why an object is unobserved: hidden_by_object (hidden_by: which), hidden_by_other (something that nobody
 drew), too_few beams, too_steep, not_looked_at, no_return, or shared_face (what was met may as well be another object's,
@@ -92,6 +96,9 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     let mut table = Table::new(&columns(args.format));
     for row in judged(args, &mut db)? {
         table.push(cells(&row, args.format));
+    }
+    if let Some(remark) = StationOrigins::count(&mut db, args.epoch)?.remark() {
+        say!("asbuilt: {remark}");
     }
     table.print(args.format)
 }

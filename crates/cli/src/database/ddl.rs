@@ -1,5 +1,15 @@
 //! The tables of models and scans: how they are created and how they are recognised.
 
+/// What the columns of a station's origin are.
+macro_rules! origin_comments {
+    () => {
+        "COMMENT ON COLUMN @station.origin_source IS 'Who says where the scanner stood: file (that of the scans), \
+         given (asbuilt load --origin, --origins FILE), recovered (--origins recover); NULL for points without origin, and for what was loaded before layout 3'; \
+         COMMENT ON COLUMN @station.origin_sd IS 'Standard deviation of the scanner''s position along each axis, metres; \
+         NULL where it is not known'"
+    };
+}
+
 /// A table of models or scans.
 pub struct TableOf {
     pub name: &'static str,
@@ -41,16 +51,22 @@ pub const TOUR: [TableOf; 3] = [
     },
     TableOf {
         name: "station",
-        ddl: "CREATE TABLE @station (
-            id     bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY,
-            epoch  integer NOT NULL,
-            name   text NOT NULL,
-            pose   @ext.ab_pose,
-            sensor text,
-            source text NOT NULL
+        ddl: concat!(
+            "CREATE TABLE @station (
+            id            bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY,
+            epoch         integer NOT NULL,
+            name          text NOT NULL,
+            pose          @ext.ab_pose,
+            sensor        text,
+            source        text NOT NULL,
+            origin_source text,
+            origin_sd     float8
         );
         CREATE INDEX station_epoch_idx ON @station (epoch);
-        COMMENT ON TABLE @station IS 'Scanner positions: pose is the transform from scanner to world, as far as the file tells it; NULL for points without origin';",
+        COMMENT ON TABLE @station IS 'Scanner positions: pose is the transform from scanner to world, as far as the file tells it; NULL for points without origin'; ",
+            origin_comments!()
+        ),
+        // How its origin is known came with layout 3.
         columns: &[
             ("id", "int8"),
             ("epoch", "int4"),
@@ -76,8 +92,12 @@ pub const TOUR: [TableOf; 3] = [
     },
 ];
 
-/// Layout of the tables that this program creates. 1: as in 0.1.0; 2: with `scan.id`.
-pub const LAYOUT: i32 = 2;
+/// Layout of the tables that this program creates. 1: as in 0.1.0; 2: with `scan.id`; 3: with `station.origin_source` and
+/// `station.origin_sd`.
+pub const LAYOUT: i32 = 3;
+
+/// The columns of [`TOUR`]'s station that came with layout 3.
+pub const ORIGIN_COLUMNS: [(&str, &str); 2] = [("origin_source", "text"), ("origin_sd", "float8")];
 
 /// Holds the number of their layout, for newer programs.
 pub const LAYOUT_TABLE: TableOf = TableOf {
@@ -91,9 +111,32 @@ pub const LAYOUT_TABLE: TableOf = TableOf {
     columns: &[("layout", "int4")],
 };
 
-/// The statements that bring tables of one layout to the next, and how the user is told.
-pub const MIGRATIONS: [(i32, &str, &str); 1] = [(
-    1,
-    "ALTER TABLE @scan ADD COLUMN id bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY",
-    "scan has the primary key id",
-)];
+/// What brings tables of one layout to the next.
+pub struct Migration {
+    pub from: i32,
+    /// The place in [`TOUR`] of the table that it changes.
+    pub table: usize,
+    pub ddl: &'static str,
+    /// How the user is told.
+    pub what: &'static str,
+}
+
+/// In the order of layouts.
+pub const MIGRATIONS: [Migration; 2] = [
+    Migration {
+        from: 1,
+        table: 2,
+        ddl: "ALTER TABLE @scan ADD COLUMN id bigint GENERATED ALWAYS AS IDENTITY PRIMARY KEY",
+        what: "scan has the primary key id",
+    },
+    // Who dropped the key of a scan table by hand has them already.
+    Migration {
+        from: 2,
+        table: 1,
+        ddl: concat!(
+            "ALTER TABLE @station ADD COLUMN IF NOT EXISTS origin_source text, ADD COLUMN IF NOT EXISTS origin_sd float8; ",
+            origin_comments!()
+        ),
+        what: "station has the columns origin_source and origin_sd",
+    },
+];

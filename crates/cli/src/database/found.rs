@@ -4,7 +4,7 @@ use anyhow::{Result, bail};
 use postgres::{GenericClient, Row};
 
 use super::connect::explain;
-use super::ddl::{LAYOUT_TABLE, TOUR, TableOf};
+use super::ddl::{LAYOUT_TABLE, ORIGIN_COLUMNS, TOUR, TableOf};
 use super::names::Names;
 
 /// The tables that exist.
@@ -63,11 +63,12 @@ const WAY_OUT: &str = "keep the tables of asbuilt in a schema of their own: CREA
 /// Looks, and refuses what is not the program's.
 pub fn look(client: &mut impl GenericClient, names: &Names) -> Result<Found> {
     let mut tour = [None, None, None];
-    let mut has_key = false;
+    let (mut has_key, mut has_origin) = (false, false);
     for (slot, table) in tour.iter_mut().zip(&TOUR) {
         let Some((owner, columns)) = relation(client, names, table)? else { continue };
         *slot = Some(owner);
         has_key |= table.name == "scan" && is_key(names, &columns)?;
+        has_origin |= table.name == "station" && tells_origin(names, &columns)?;
     }
     let layout_table = relation(client, names, &LAYOUT_TABLE)?.map(|(owner, _)| owner);
     let written = match layout_table {
@@ -77,7 +78,12 @@ pub fn look(client: &mut impl GenericClient, names: &Names) -> Result<Found> {
         }
         None => None,
     };
-    let layout = tour.iter().all(Option::is_some).then_some(if has_key { written.unwrap_or(2).max(2) } else { 1 });
+    let layout = match (has_key, has_origin) {
+        (false, _) => 1,
+        (true, false) => 2,
+        (true, true) => written.unwrap_or(3).max(3),
+    };
+    let layout = tour.iter().all(Option::is_some).then_some(layout);
     Ok(Found { tour, layout_table, layout, written })
 }
 
@@ -122,4 +128,21 @@ fn is_key(names: &Names, columns: &[Row]) -> Result<bool> {
         );
     }
     Ok(true)
+}
+
+/// Whether the station table tells how origins are known; columns of these names and other types are an error.
+fn tells_origin(names: &Names, columns: &[Row]) -> Result<bool> {
+    let mut has_all = true;
+    for (name, kind) in ORIGIN_COLUMNS {
+        match columns.iter().find(|c| c.get::<_, &str>(0) == name).map(|c| c.get::<_, &str>(1)) {
+            None => has_all = false,
+            Some(found) if found != kind => bail!(
+                "{} has a column {name} of type {found}, where layout 3 wants one of type {kind}; rename it: ALTER TABLE {0} \
+                 RENAME COLUMN {name} TO other",
+                names.table("station")
+            ),
+            Some(_) => {}
+        }
+    }
+    Ok(has_all)
 }

@@ -4,7 +4,7 @@ use anyhow::{Context, Result, bail};
 use postgres::{IsolationLevel, Transaction};
 
 use super::connect::{Database, explain, set_path};
-use super::ddl::{LAYOUT, LAYOUT_TABLE, MIGRATIONS, TOUR};
+use super::ddl::{LAYOUT, LAYOUT_TABLE, MIGRATIONS, Migration, TOUR};
 use super::found::{Found, Owner, look};
 use super::names::{Names, quoted};
 use crate::output::say;
@@ -77,19 +77,20 @@ fn with_extension(tx: &mut Transaction, names: &Names, current: Option<&str>) ->
 }
 
 fn update(tx: &mut Transaction, names: &Names, found: &Found, done: &mut Vec<String>) -> Result<()> {
-    for (_, ddl, what) in MIGRATIONS.iter().filter(|m| found.layout.is_some_and(|layout| m.0 >= layout)) {
-        let ddl = names.sql(ddl);
-        // Only scan has changed so far.
-        let owner = found.tour[2].iter().find(|o| !o.is_ours);
-        if let Some(Owner { name, .. }) = owner {
-            bail!(
-                "the tables of asbuilt are of an older layout and belong to {name}, who must run asbuilt load once, or: \
-                 {ddl};"
-            );
-        }
-        act_as(tx, found.tour[2].as_ref())?;
-        tx.batch_execute(&ddl).map_err(explain)?;
-        done.push(format!("brought to layout {LAYOUT}: {what}; no row was changed"));
+    let missing: Vec<&Migration> =
+        MIGRATIONS.iter().filter(|m| found.layout.is_some_and(|layout| m.from >= layout)).collect();
+    let owner_of = |m: &Migration| found.tour[m.table].as_ref();
+    if let Some(Owner { name, .. }) = missing.iter().filter_map(|m| owner_of(m)).find(|o| !o.is_ours) {
+        let all: Vec<String> = missing.iter().map(|m| names.sql(m.ddl)).collect();
+        bail!(
+            "the tables of asbuilt are of an older layout and belong to {name}, who must run asbuilt load once, or: {};",
+            all.join("; ")
+        );
+    }
+    for migration in missing {
+        act_as(tx, owner_of(migration))?;
+        tx.batch_execute(&names.sql(migration.ddl)).map_err(explain)?;
+        done.push(format!("brought to layout {}: {}; no row was changed", migration.from + 1, migration.what));
     }
     // What is new belongs to whom the rest belongs to.
     act_as(tx, found.tour.iter().flatten().next())?;

@@ -5,7 +5,7 @@ use std::io::{ErrorKind, Read, Write};
 use anyhow::{Result, bail};
 use serde::{Deserialize, Serialize};
 
-use crate::Facts;
+use crate::{Facts, OriginSource};
 
 /// What a frame holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,6 +31,10 @@ pub struct ScanHead {
     pub sensor: Option<String>,
     /// Unit quaternion w, x, y, z; `None` when the points have no origin.
     pub world_from_scan: Option<[f64; 4]>,
+    /// Who says where the scanner stood.
+    pub origin_source: Option<OriginSource>,
+    /// Standard deviation of the origin an axis, metres.
+    pub origin_sd: Option<f64>,
     /// World metres.
     pub anchor: [f64; 3],
     pub is_empty: bool,

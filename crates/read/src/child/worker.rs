@@ -42,6 +42,8 @@ fn send(job: &Job, mut scan: RawScan, pipe: &Pipe) -> Result<()> {
         name: std::mem::take(&mut scan.name),
         sensor: scan.sensor.take(),
         world_from_scan: scan.world_from_scan,
+        origin_source: scan.origin_source,
+        origin_sd: scan.origin_sd,
         anchor: scan.anchor.into(),
         is_empty: scan.content.is_empty(),
         unusable: scan.unusable,

@@ -12,7 +12,7 @@ use indicatif::ProgressBar;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::grid::{GridCell, missing_directions};
-use super::{Facts, NO_ROTATION, Order, RawScan, ReadOptions, ScanSink, drop_zeros, stem, unit};
+use super::{Facts, NO_ROTATION, Order, OriginSource, RawScan, ReadOptions, ScanSink, drop_zeros, stem, unit};
 
 /// Reads every point cloud of the file.
 pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
@@ -33,6 +33,7 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSin
         check(cloud, length)?;
         let mut scan = read_cloud(&mut file, cloud, options, bar)?;
         scan.notes.append(&mut notes);
+        scan.scans_in_file = Some(clouds.len() as u64);
         points += scan.content.len();
         scan.name =
             cloud.name.clone().filter(|n| !n.is_empty()).unwrap_or_else(|| format!("{} #{}", stem(path), i + 1));
@@ -107,8 +108,12 @@ fn read_cloud(
         name: String::new(),
         sensor: sensor(cloud),
         world_from_scan: has_origin.then_some([rotation.w, rotation.i, rotation.j, rotation.k]),
+        origin_source: has_origin.then_some(OriginSource::File),
+        origin_sd: None,
         anchor: scanner,
         content,
+        point_sources: None,
+        scans_in_file: None,
         unusable,
         order: if cloud.has_row_column() || cloud.has_spherical() { Order::Measured } else { Order::NotTold },
         notes: Vec::new(),
@@ -206,6 +211,7 @@ fn move_anchor(scan: &mut RawScan, origin: Option<Vec3>, has_origin: bool) {
     scan.content.beams.iter_mut().for_each(|b| b.offset += shift);
     scan.anchor = anchor;
     scan.world_from_scan = origin.map(|_| NO_ROTATION);
+    scan.origin_source = origin.map(|_| OriginSource::Given);
 }
 
 /// Fields, times, and whatever else a cloud says about itself.

@@ -1,4 +1,4 @@
-//! LAS and LAZ, through the `las` crate. Without `--origin` the points have none.
+//! LAS and LAZ, through the `las` crate. Without `--origin` or `--origins` the points have none.
 
 mod check;
 mod crs;
@@ -15,7 +15,7 @@ use asbuilt_core::scan::{Beam, Beams};
 use indicatif::ProgressBar;
 use las::{Header, PointData, PointDataBuilder, Reader, ReaderOptions};
 
-use super::{Facts, ReadOptions, ScanSink, scan_of_content};
+use super::{Facts, OriginsChoice, ReadOptions, ScanSink, scan_of_sources};
 
 /// Points read at a time: several LAZ chunks, so that they decompress in parallel; fewer if records are long.
 const AT_ONCE: u64 = 500_000;
@@ -52,7 +52,8 @@ pub fn read(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSin
     }
     // Its units are known by now.
     let options = ReadOptions { file_unit: None, ..options.clone() };
-    let mut scan = scan_of_content(path, points.content(), &options)?;
+    let (content, point_sources) = points.content();
+    let mut scan = scan_of_sources(path, content, point_sources, &options)?;
     scan.notes.splice(0..0, notes);
     scan.facts = facts;
     sink(scan)
@@ -93,6 +94,8 @@ struct Points {
     factors: [f64; 3],
     content: Beams,
     colours: Vec<[u16; 3]>,
+    /// Point source ids, where origins are sought by them.
+    sources: Option<Vec<u16>>,
     read: u64,
     /// Indices of points to leave out, and how many of them are withheld.
     dropped: Vec<u32>,
@@ -108,11 +111,13 @@ impl Points {
     fn new(is_extended: bool, factors: [f64; 3], options: &ReadOptions) -> Self {
         let content = Beams { intensity: options.intensity.then(Vec::new), ..Beams::default() };
         let (colours, dropped) = (Vec::new(), Vec::new());
+        let sources = matches!(options.origins, Some(OriginsChoice::Listed(_) | OriginsChoice::Recover)).then(Vec::new);
         Self {
             is_extended,
             factors,
             content,
             colours,
+            sources,
             read: 0,
             dropped,
             withheld: 0,
@@ -132,6 +137,8 @@ impl Points {
                 t.z.direct(coordinate(8)) * fz,
             );
             self.content.beams.push(Beam { offset, returned: true });
+            let at = if self.is_extended { 20 } else { 18 };
+            self.sources.iter_mut().for_each(|s| s.push(u16::from_le_bytes([record[at], record[at + 1]])));
             self.judge(record);
         }
         self.content.intensity.iter_mut().for_each(|plane| plane.extend(data.intensity()));
@@ -167,16 +174,18 @@ impl Points {
         out
     }
 
-    fn content(mut self) -> Beams {
+    /// What is not left out, with its point source ids.
+    fn content(mut self) -> (Beams, Option<Vec<u16>>) {
         // The format wants sixteen bits a part; many writers fill eight.
         let shift = if self.colours.iter().flatten().any(|&part| part > 255) { 8 } else { 0 };
         let eight = |c: &[u16; 3]| c.map(|part| (part >> shift) as u8);
         self.content.colour = (!self.colours.is_empty()).then(|| self.colours.iter().map(eight).collect());
         if self.dropped.is_empty() {
-            return self.content;
+            return (self.content, self.sources);
         }
         let mut dropped = self.dropped.iter().peekable();
         let kept: Vec<u32> = (0..self.content.len() as u32).filter(|i| dropped.next_if_eq(&i).is_none()).collect();
-        self.content.select(&kept)
+        let sources = self.sources.map(|all| kept.iter().map(|&i| all[i as usize]).collect());
+        (self.content.select(&kept), sources)
     }
 }

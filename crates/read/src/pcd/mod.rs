@@ -15,7 +15,7 @@ use indicatif::ProgressBar;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::text::Lines;
-use super::{Facts, RawScan, ReadOptions, ScanSink, scan_of_points};
+use super::{Facts, OriginSource, RawScan, ReadOptions, ScanSink, scan_of_points};
 use header::{PcdField, PcdHeader, Storage};
 
 /// Reads all points.
@@ -61,6 +61,7 @@ fn pose(scan: &mut RawScan, viewpoint: &[f64; 7], options: &ReadOptions) {
     scan.anchor = Vec3::new(x, y, z) * scale;
     scan.content.beams.iter_mut().for_each(|b| b.offset = rotation * b.offset);
     scan.world_from_scan = Some([rotation.w, rotation.i, rotation.j, rotation.k]);
+    scan.origin_source = Some(OriginSource::File);
     if rotation.angle() == 0.0 {
         scan.notes.push(
             "VIEWPOINT has a place and no rotation: its points are taken to be in the scanner's frame, as CloudCompare does; \

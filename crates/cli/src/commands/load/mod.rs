@@ -22,14 +22,17 @@ use asbuilt_read::{self as read, FileContents};
 #[command(after_long_help = "\
 Models: IFC (STEP). Every product with a body becomes a row of building_object; what cannot be meshed is named.
 Scans: E57, LAS, LAZ, PLY, PTX, PCD, XYZ, PTS, TXT, ASC, CSV. Every scanner position becomes a row of station, its beams patches in
-scan. E57, PTX and most PCD tell the scanner's position; for the others give --origin, or their points say where something is,
-but never that a place is empty. Loading a file again replaces what it had loaded. A file that fails leaves nothing behind.
+scan. E57, PTX and most PCD tell the scanner's position; for the others give --origin, or --origins for several, or their points
+say where something is, but never that a place is empty: nothing of them makes an object absent. Loading a file again replaces what it had loaded. A file that fails leaves nothing behind.
 Files are read by a process of their own, which ends with an error where it takes more than --max-memory.
 
 Examples:
   asbuilt load model.ifc --loa LOA20
   asbuilt load scans/*.e57 --epoch 2
   asbuilt load tripod.laz --epoch 2 --origin 12.3,4.5,1.6
+  asbuilt load merged.laz --origins stations.csv            (lines such as 3,12.3,4.5,1.6: the points of point source id 3)
+  asbuilt load wrong-poses.e57 --origins none
+  asbuilt load whole-scan.xyz --origins recover             (tells when the points do not prove the position)
   asbuilt load survey.txt --columns n,x,y,z --file-unit ft")]
 pub struct LoadArgs {
     /// IFC models and scan files

@@ -6,7 +6,7 @@ use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Aabb;
 use indicatif::ProgressBar;
 use postgres::Transaction;
-use postgres::types::Type;
+use postgres::types::{ToSql, Type};
 
 use super::{LoadArgs, shown, source};
 use crate::database::connect::explain;
@@ -15,6 +15,7 @@ use crate::database::names::Names;
 use crate::output::{count, progress, say};
 use asbuilt_read::child::{Event, ReadingProcess, ScanHead};
 use asbuilt_read::packing::Packed;
+use asbuilt_read::{OriginSource, OriginsChoice};
 
 pub fn load(args: &LoadArgs, file: &Path, names: &Names, tx: &mut Transaction) -> Result<()> {
     let source = source(file);
@@ -84,15 +85,16 @@ impl StationLoader<'_> {
         let translation = head.world_from_scan.map(|_| head.anchor.to_vec());
         let rotation = head.world_from_scan.map(|q| q.to_vec());
         let insert = names.sql(
-            "INSERT INTO @station (epoch, name, pose, sensor, source)
+            "INSERT INTO @station (epoch, name, pose, sensor, source, origin_source, origin_sd)
              VALUES ($1::int4, $2::text, @ext.ab_pose($3::float8[], $4::float8[], 1::float8, 0::float8, 0::float8,
-                     0::float8, NULL::float8[]), $5::text, $6::text) RETURNING id",
+                     0::float8, NULL::float8[]), $5::text, $6::text, $7::text, $8::float8) RETURNING id",
         );
         let text = |s: &str| s.replace('\0', "");
         let (name, sensor) = (text(&head.name), head.sensor.as_deref().map(text));
-        let row = tx
-            .query_one(&insert, &[&self.args.epoch, &name, &translation, &rotation, &sensor, &self.source])
-            .map_err(explain)?;
+        let (origin_source, origin_sd) = (head.origin_source.map(OriginSource::name), head.origin_sd);
+        let parameters: [&(dyn ToSql + Sync); 8] =
+            [&self.args.epoch, &name, &translation, &rotation, &sensor, &self.source, &origin_source, &origin_sd];
+        let row = tx.query_one(&insert, &parameters).map_err(explain)?;
         Ok(row.get(0))
     }
 }
@@ -152,9 +154,13 @@ impl Total {
             say!("  warning: {} points are not finite or impossibly far, and were dropped", self.unusable);
         }
         if self.without_origin > 0 {
+            let way = match args.reading.options.origins {
+                Some(OriginsChoice::None) => "",
+                _ => "; give --origin x,y,z if they were scanned from one place, --origins FILE if from several",
+            };
             say!(
                 "  warning: {} of them without scanner position: their points say where something is, but never that a place is \
-                 empty; give --origin x,y,z if they were scanned from one place",
+                 empty{way}",
                 self.without_origin
             );
         }
