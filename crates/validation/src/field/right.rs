@@ -63,7 +63,11 @@ pub fn right(object: &Object, fate: &Fate, (truths, returns): (&[Truth], usize),
     };
     match fate.deed {
         Deed::Missing => {
-            out.beams = through.iter().map(|t| t.beams_through).sum();
+            // A leaf that is gone is as one that stands open: what is asked is the frame.
+            let has_frame = truths.iter().any(|t| !t.leaf);
+            let asked = |t: &&&Truth| !t.leaf || !has_frame;
+            out.empty = through.iter().filter(asked).count() as f64 / base;
+            out.beams = through.iter().filter(asked).map(|t| t.beams_through).sum();
             out.missing(opaque == 0);
         }
         Deed::Open => {
@@ -85,12 +89,10 @@ const ALL: [Verdict; 5] =
     [Verdict::Confirmed, Verdict::Deviating, Verdict::Absent, Verdict::Unobserved, Verdict::Conflicting];
 
 impl Right {
-    /// Absent, if enough of its place is seen empty. Where less is, or no more than panes, nothing need be said.
+    /// Absent, which is true; where little of its place is seen empty, or no more than panes, nothing need be said.
     fn missing(&mut self, only_glass: bool) {
         let (seen, few) = (self.empty, self.beams < FEW_BEAMS);
-        if seen > 0.0 {
-            self.verdicts.push(Verdict::Absent);
-        }
+        self.verdicts.push(Verdict::Absent);
         if seen < MUST_SEE || few || only_glass {
             self.verdicts.push(Verdict::Unobserved);
         }

@@ -16,6 +16,8 @@ use crate::{Interrupt, Result, poll_now_and_then};
 
 /// Least share of a face that must be found.
 const MIN_FOUND: f64 = 0.25;
+/// The same before its place, where more stands that is not drawn.
+const MIN_FOUND_BEFORE: f64 = 0.5;
 /// Least share of what was met near a face, and is nobody else's, that must lie in one plane.
 const MIN_IN_PLANE: f64 = 0.6;
 /// Fewer samples are no face.
@@ -101,6 +103,9 @@ impl FarFaces<'_> {
             return Ok(None);
         }
         let Some((deviation, sd)) = measured(&plane, self.looked.model) else { return Ok(None) };
+        if deviation > 0.0 && count < MIN_FOUND_BEFORE * of_face.len() as f64 {
+            return Ok(None);
+        }
         let model = self.looked.model;
         let is_far = deviation > model.band_in_front() - 2.0 * FLAT_M || deviation < 2.0 * FLAT_M - model.band_behind();
         if !is_far || self.goes_on(of_face, &normal, deviation, &plane) {

@@ -4,9 +4,6 @@ use std::f64::consts::{PI, TAU};
 
 use crate::geometry::Vec3;
 
-/// Height of a row of cells, and width of a cell, radians: 10 cm at 10 m.
-const CELL: f64 = SightMap::CELL;
-
 /// One beam a cell, the one nearest to its middle, so that the order in which beams come does not matter.
 #[derive(Debug)]
 pub struct SightMap {
@@ -34,23 +31,23 @@ impl Sight {
 }
 
 impl SightMap {
-    /// Width of a cell, radians.
+    /// Height of a row of cells, and width of a cell, radians: 10 cm at 10 m.
     pub const CELL: f64 = 0.01;
 
     /// Of a station at `origin_world`, metres, that looked nowhere yet.
     pub fn new(origin_world: Vec3) -> Self {
-        let count = (PI / CELL).ceil() as usize;
+        let count = (PI / SightMap::CELL).ceil() as usize;
         let mut rows = vec![0];
         for row in 0..count {
-            let elevation = (row as f64 + 0.5) * CELL - 0.5 * PI;
-            rows.push(rows[row] + (TAU * elevation.cos().max(0.0) / CELL).ceil().max(4.0) as u32);
+            let elevation = (row as f64 + 0.5) * SightMap::CELL - 0.5 * PI;
+            rows.push(rows[row] + (TAU * elevation.cos().max(0.0) / SightMap::CELL).ceil().max(4.0) as u32);
         }
         Self { origin_world, cells: vec![None; rows[count] as usize], rows }
     }
 
     /// Of how many neighbouring beams `step` radians apart one suffices.
     pub fn stride(step: f64) -> usize {
-        ((0.4 * CELL / step).powi(2) as usize).max(1)
+        ((0.4 * SightMap::CELL / step).powi(2) as usize).max(1)
     }
 
     /// Remembers a beam: its unit direction and its range, metres, infinite without return.
@@ -69,13 +66,13 @@ impl SightMap {
         let here = |d: &Vec3| self.cells[self.place(d).0];
         let across = Vec3::z().cross(direction).try_normalize(1e-6).unwrap_or_else(Vec3::x);
         let up = direction.cross(&across);
-        let beside = [across, -across, up, -up].map(|side| (direction + side * CELL).normalize());
+        let beside = [across, -across, up, -up].map(|side| (direction + side * SightMap::CELL).normalize());
         here(direction).or_else(|| beside.iter().find_map(here))
     }
 
     /// The cell of a direction, and its squared distance from the cell's middle in cells.
     fn place(&self, direction: &Vec3) -> (usize, f32) {
-        let row = (direction.z.clamp(-1.0, 1.0).asin() + 0.5 * PI) / CELL;
+        let row = (direction.z.clamp(-1.0, 1.0).asin() + 0.5 * PI) / SightMap::CELL;
         let row_number = (row as usize).min(self.rows.len() - 2);
         let (start, end) = (self.rows[row_number], self.rows[row_number + 1]);
         let columns = f64::from(end - start);
@@ -113,7 +110,7 @@ mod tests {
         assert_eq!(first.cells, map(&beams).cells);
         for (d, _) in beams.iter().take(20_000) {
             let found = first.towards(d).unwrap().met().unwrap();
-            assert!(found.normalize().dot(d) > (2.0 * CELL).cos(), "{d} {found}");
+            assert!(found.normalize().dot(d) > (2.0 * SightMap::CELL).cos(), "{d} {found}");
         }
         assert_eq!(first.towards(&Vec3::z()), None);
         let mut nothing = SightMap::new(Vec3::zeros());

@@ -56,8 +56,8 @@ fn count(number: usize, fitted: &FittedObject, model: &EvidenceModel, interrupt:
         poll_now_and_then(i, interrupt)?;
         let (mass, in_front) = observations.mass(s, model);
         let on_surface = on_surface.get().map(|d| f64::from(d.abs()) > tolerance);
-        // Where a pane was met is not known well enough to displace it.
-        let on_surface = on_surface.filter(|is_off| kind != FaceKind::Transparent || !is_off);
+        // Where a pane was met is not known well enough to displace it, and beside a leaf its stop or threshold is met.
+        let on_surface = on_surface.filter(|is_off| kind == FaceKind::Fixed || !is_off);
         // A surface in front of the face is no refutation by itself: furniture. One that is the face is.
         let moved = on_surface.is_some() && in_front >= IN_FRONT_SHARE * model.question.confidence;
         let refuted = moved || mass.empty >= model.question.confidence;
