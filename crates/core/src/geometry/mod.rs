@@ -14,7 +14,8 @@
 //! * [`solid`]: the mesh of an object;
 //! * [`solid_bytes`]: the same, stored;
 //! * [`adjacency`]: triangles beside each other;
-//! * [`face`]: triangles that make a face, and its [`FaceKind`];
+//! * [`face_kind`]: what stands as drawn, may move, or lets beams pass;
+//! * [`face`]: triangles that make a face;
 //! * [`triangulate`]: polygons as triangles;
 //! * [`ewkb`]: solids as PostGIS writes them.
 

@@ -1,5 +1,8 @@
 //! Order statistics for robust location and spread.
 
+/// Standard deviation of a median against that of a mean, for a normal sample: √(π/2).
+pub const MEDIAN_SD: f64 = 1.2533;
+
 /// Median of `values` (reordered in place); `None` when empty. An even count gives the mean of the middle two.
 pub fn median(values: &mut [f64]) -> Option<f64> {
     let n = values.len();

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use super::second_look::{Looked, Owner};
 use super::sight_map::SightMap;
 use crate::geometry::{FaceKind, Vec3};
-use crate::num::stats::median_and_spread;
+use crate::num::stats::{MEDIAN_SD, median_and_spread};
 use crate::verify::evidence::{Evidence, FoundFace};
 use crate::verify::model::{EvidenceModel, RATHER, three_sigma};
 use crate::{Interrupt, Result, poll_now_and_then};
@@ -34,8 +34,6 @@ const BESIDE_M: f64 = 0.08;
 const MAX_GOES_ON: f64 = 0.5;
 /// Places beside each side of a face that are asked.
 const PROBES_A_SIDE: usize = 8;
-/// Standard deviation of a median against that of a mean, for a normal sample: √(π/2).
-const MEDIAN_SD: f64 = 1.2533;
 
 /// What one beam met near a face.
 #[derive(Debug, Clone, Copy)]

@@ -4,13 +4,10 @@ use super::compact::CompactDeviation;
 use super::fitted_surface::FittedSurface;
 use super::observations::Observations;
 use crate::geometry::{FaceKind, Vec3};
-use crate::num::stats::median_and_spread;
+use crate::num::stats::{MEDIAN_SD, median_and_spread};
 use crate::verify::evidence::Evidence;
 use crate::verify::model::EvidenceModel;
 use crate::{Interrupt, Result, poll, poll_now_and_then};
-
-/// Standard deviation of a median against that of a mean, for a normal sample: √(π/2).
-pub const MEDIAN_SD: f64 = 1.2533;
 
 /// Of a face that is not cut off by the ends of the search band at most this share lies as near to them as
 /// [`BORDER_M`].

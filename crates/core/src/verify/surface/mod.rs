@@ -21,7 +21,7 @@ mod trend;
 mod vote;
 
 pub(super) use body::EvidenceBody;
-pub(super) use fitted_face::{FittedFace, MEDIAN_SD};
+pub(super) use fitted_face::FittedFace;
 pub(super) use fitted_object::FittedObject;
 pub(super) use fitted_surface::FittedSurface;
 pub(super) use reading::SampleReading;
