@@ -78,6 +78,11 @@ impl Tree {
 
     /// The first triangle along a unit `direction` that is farther than `beyond` metres.
     pub fn first(&self, origin: &Vec3, direction: &Vec3, beyond: f64) -> Option<Hit> {
+        self.first_of(origin, direction, beyond, |_| true)
+    }
+
+    /// The same of the triangles whose surface counts.
+    pub fn first_of(&self, origin: &Vec3, direction: &Vec3, beyond: f64, counts: impl Fn(u32) -> bool) -> Option<Hit> {
         let inverse = direction.map(|d| 1.0 / if d.abs() < 1e-300 { 1e-300 } else { d });
         let (mut best, mut found) = (f64::INFINITY, None);
         let mut stack = [(0.0, 0u32); 64];
@@ -91,7 +96,8 @@ impl Tree {
             let node = &self.nodes[at as usize];
             if node.count > 0 {
                 for t in &self.triangles[node.first as usize..(node.first + node.count) as usize] {
-                    if let Some(range) = t.crossing(origin, direction).filter(|r| *r > beyond && *r < best) {
+                    let crossing = t.crossing(origin, direction).filter(|r| *r > beyond && *r < best);
+                    if let Some(range) = crossing.filter(|_| counts(t.surface)) {
                         (best, found) = (range, Some(t));
                     }
                 }

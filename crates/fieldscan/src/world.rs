@@ -2,9 +2,12 @@
 
 use asbuilt_core::geometry::{Solid, Vec3};
 
-use crate::material::Material;
+use crate::material::{Material, Optics};
 use crate::tree::{Hit, Tree};
 use crate::triangle::Triangle;
+
+/// Surfaces nearer to each other along a ray lie at one place, metres.
+const ONE_PLACE_M: f64 = 1e-5;
 
 /// A surface of one material.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,6 +70,18 @@ impl World {
         &self.surfaces[number as usize]
     }
 
+    /// What a ray meets first beyond some metres; of surfaces at one place rather one that is not of glass: the edge of a
+    /// pane lies on its frame.
+    fn first(&self, origin: &Vec3, direction: &Vec3, beyond: f64) -> Option<Hit> {
+        let is_glass = |surface: u32| self.surface(surface).material.optics == Optics::Glass;
+        let hit = self.tree.first(origin, direction, beyond)?;
+        if !is_glass(hit.surface) {
+            return Some(hit);
+        }
+        let frame = self.tree.first_of(origin, direction, beyond.max(hit.range - ONE_PLACE_M), |s| !is_glass(s));
+        Some(frame.filter(|frame| frame.range <= hit.range + ONE_PLACE_M).unwrap_or(hit))
+    }
+
     /// The material at a place of a surface: wet within a puddle, on what looks up.
     fn material_at(&self, hit: &Hit, place: &Vec3) -> Material {
         let material = self.surface(hit.surface).material;
@@ -102,7 +117,7 @@ impl View<'_> {
     /// What a ray meets first beyond some metres.
     pub fn first(&self, origin: &Vec3, direction: &Vec3, beyond: f64) -> Option<Met> {
         let met = |world: &World| {
-            let hit = world.tree.first(origin, direction, beyond)?;
+            let hit = world.first(origin, direction, beyond)?;
             let material = world.material_at(&hit, &(origin + direction * hit.range));
             let owner = world.surface(hit.surface).owner;
             Some(Met { range: hit.range, normal: hit.normal, material, owner })
@@ -112,5 +127,31 @@ impl View<'_> {
             (Some(a), Some(b)) => Some(if a.range <= b.range { a } else { b }),
             _ => a.or(b),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Whichever was added first.
+    #[test]
+    fn a_frame_stands_before_the_edge_of_its_pane() {
+        let square = [Vec3::new(2.0, -1.0, -1.0), Vec3::new(2.0, 3.0, -1.0), Vec3::new(2.0, -1.0, 3.0)];
+        let surface = |material, owner| Surface { material, owner };
+        let (glass, frame) = (surface(Material::glass(), 1), surface(Material::matt(0.5, 0.0), 2));
+        for order in [[glass, frame], [frame, glass]] {
+            let mut world = World::default();
+            order.into_iter().for_each(|s| world.add(s, [square]));
+            let (world, nothing) = (world.built(), World::default().built());
+            let view = View { fixed: &world, passing: &nothing };
+            let met = view.first(&Vec3::zeros(), &Vec3::x(), 0.0).unwrap();
+            assert_eq!((met.range, met.owner), (2.0, 2));
+        }
+        let mut world = World::default();
+        world.add(glass, [square]);
+        let (world, nothing) = (world.built(), World::default().built());
+        let view = View { fixed: &world, passing: &nothing };
+        assert_eq!(view.first(&Vec3::zeros(), &Vec3::x(), 0.0).unwrap().owner, 1);
     }
 }
