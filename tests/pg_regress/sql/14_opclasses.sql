@@ -3,17 +3,17 @@
 SELECT setseed(0.7);
 CREATE TABLE seed AS SELECT i AS id, CASE i % 3 WHEN 0 THEN 30 * random() WHEN 1 THEN 600000 + random() ELSE 7 END AS x, 30 * random() AS y,
     CASE WHEN i % 5 = 0 THEN 0 ELSE 4 * random() END AS z, CASE i % 7 WHEN 0 THEN 0 WHEN 1 THEN 9 ELSE 2 * random() END AS w FROM generate_series(1, 900) i;
-CREATE TABLE v_ab_box AS SELECT id, ab_box(x, y, z, x + w, y + w, z + w) AS v FROM seed;
-CREATE TABLE v_ab_solid AS SELECT id, ab_solid(v) AS v FROM v_ab_box WHERE id % 7 <> 0;
-CREATE TABLE v_ab_scan AS SELECT id, ab_scan(ARRAY[x, y, z], ARRAY[[x + 0.5 + w, y, z], [x + 0.5 + w, y + 0.1, z + 0.1]], 0.01) AS v FROM seed;
+CREATE TABLE v_ab_box WITH (autovacuum_enabled = off) AS SELECT id, ab_box(x, y, z, x + w, y + w, z + w) AS v FROM seed;
+CREATE TABLE v_ab_solid WITH (autovacuum_enabled = off) AS SELECT id, ab_solid(v) AS v FROM v_ab_box WHERE id % 7 <> 0;
+CREATE TABLE v_ab_scan WITH (autovacuum_enabled = off) AS SELECT id, ab_scan(ARRAY[x, y, z], ARRAY[[x + 0.5 + w, y, z], [x + 0.5 + w, y + 0.1, z + 0.1]], 0.01) AS v FROM seed;
 INSERT INTO v_ab_scan SELECT id + 1000, ab_cloud(ARRAY[[x, y, z], [x + w, y, z]]) FROM seed WHERE id % 4 = 0;
 INSERT INTO v_ab_scan SELECT id + 2000, ab_scan(ARRAY[[x, y, z], [x, y + 1, z]], ARRAY[[x + w, y, z], [x - w, y, z]]) FROM seed WHERE id % 4 = 1;
 INSERT INTO v_ab_box SELECT id + 3000, ab_box(v) FROM v_ab_scan WHERE id % 9 = 0;
-CREATE TABLE v_ab_point AS SELECT id, ab_point(x, y, z, 0.02 * w) AS v FROM seed;
-CREATE TABLE v_ab_line AS SELECT id, ab_line(ab_point(x, y, z, 0.01), ab_point(x + 1 + w, y, z, 0.02)) AS v FROM seed;
-CREATE TABLE v_ab_occupancy AS SELECT id, ab_occupancy_agg(v, ab_grid(0.5, exact => true)) AS v FROM v_ab_scan WHERE id % 3 > 0 AND id < 1900 GROUP BY id;
+CREATE TABLE v_ab_point WITH (autovacuum_enabled = off) AS SELECT id, ab_point(x, y, z, 0.02 * w) AS v FROM seed;
+CREATE TABLE v_ab_line WITH (autovacuum_enabled = off) AS SELECT id, ab_line(ab_point(x, y, z, 0.01), ab_point(x + 1 + w, y, z, 0.02)) AS v FROM seed;
+CREATE TABLE v_ab_occupancy WITH (autovacuum_enabled = off) AS SELECT id, ab_occupancy_agg(v, ab_grid(0.5, exact => true)) AS v FROM v_ab_scan WHERE id % 3 > 0 AND id < 1900 GROUP BY id;
 INSERT INTO v_ab_occupancy SELECT id + 5000, ab_occupancy(ab_grid(0.5, v)) FROM v_ab_box WHERE id % 11 = 0;
-CREATE TABLE v_ab_change AS SELECT id, ab_change(ab_occupancy(ab_grid(v)), v, 1) AS v FROM v_ab_occupancy WHERE id % 4 < 3;
+CREATE TABLE v_ab_change WITH (autovacuum_enabled = off) AS SELECT id, ab_change(ab_occupancy(ab_grid(v)), v, 1) AS v FROM v_ab_occupancy WHERE id % 4 < 3;
 CREATE TABLE answer (round text, by_index boolean, class text, op text, pairs bigint, digest bigint);
 CREATE PROCEDURE ask(round text) LANGUAGE plpgsql AS $$
 DECLARE o record; way boolean;
