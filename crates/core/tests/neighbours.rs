@@ -113,6 +113,13 @@ fn glass_and_leaves_count_where_they_were_met() {
     assert_eq!(verdict(window(true, false), &seen), Verdict::Confirmed);
     assert_eq!(verdict(window(false, true), &seen), Verdict::Confirmed, "a leaf that stands open");
     assert_ne!(verdict(window(false, false), &seen), Verdict::Confirmed, "an opaque panel that is missing");
+    // What is met 25 mm behind a leaf or a pane, its stop or its other side, displaces neither.
+    let stop = ([5.045, -0.6, -0.6], [5.06, 0.6, 0.6]);
+    let built: Vec<_> = frame.iter().copied().chain([stop, room]).collect();
+    let behind = view(Vec3::zeros(), |d| first(&built, Vec3::zeros(), d));
+    assert_eq!(verdict(window(true, false), &behind), Verdict::Confirmed);
+    assert_eq!(verdict(window(false, true), &behind), Verdict::Confirmed);
+    assert_eq!(verdict(window(false, false), &behind), Verdict::Deviating);
     // Without the frame, the window is missing.
     let empty = view(Vec3::zeros(), |d| first(&[room], Vec3::zeros(), d));
     assert_eq!(verdict(window(true, false), &empty), Verdict::Absent);

@@ -55,19 +55,22 @@ fn count(number: usize, fitted: &FittedObject, model: &EvidenceModel, interrupt:
     for (i, (s, on_surface)) in observations.seen[run.clone()].iter().zip(&fitted.on_surface[run]).enumerate() {
         poll_now_and_then(i, interrupt)?;
         let (mass, in_front) = observations.mass(s, model);
-        let on_surface = on_surface.get().map(|d| f64::from(d.abs()) > tolerance);
-        // Where a pane was met is not known well enough to displace it, and beside a leaf its stop or threshold is met.
-        let on_surface = on_surface.filter(|is_off| kind == FaceKind::Fixed || !is_off);
+        let is_off = on_surface.get().is_some_and(|d| f64::from(d.abs()) > tolerance);
         // A surface in front of the face is no refutation by itself: furniture. One that is the face is.
         let moved = on_surface.is_some() && in_front >= IN_FRONT_SHARE * model.question.confidence;
         let refuted = moved || mass.empty >= model.question.confidence;
+        // Where a pane was met is not known well enough to displace it, and beside a leaf its stop or threshold is met.
+        if kind != FaceKind::Fixed && (refuted || is_off) {
+            counts.samples = counts.samples.saturating_sub(1);
+            continue;
+        }
         counts.seen += 1;
         counts.conflict += f64::from(s.conflict);
         counts.refuted += u64::from(refuted);
         counts.pierced += u64::from(refuted && !on_surface.is_some());
         counts.confirmed += u64::from(!refuted && mass.occupied >= model.question.confidence);
         counts.on_surface += u64::from(on_surface.is_some());
-        counts.out_of_tolerance += u64::from(on_surface == Some(true));
+        counts.out_of_tolerance += u64::from(is_off);
     }
     Ok(counts)
 }
