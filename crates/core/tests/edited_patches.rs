@@ -116,7 +116,7 @@ fn the_step_of_an_edited_patch_is_that_of_its_beams() {
     for patch in scanned().iter().step_by(7) {
         for edited in [Patch::thinned(patch, 0.05).unwrap(), Patch::filtered(patch, |_, _, i| i % 5 == 0).unwrap()] {
             let edited = edited.unwrap().to_bytes();
-            let found: f64 = anew(&returns(&[edited.clone()])).iter().map(|p| step(p)).fold(0.0, f64::max);
+            let found: f64 = anew(&returns(std::slice::from_ref(&edited))).iter().map(|p| step(p)).fold(0.0, f64::max);
             assert!((step(&edited) / found - 1.0).abs() < 0.05, "{} and {found}", step(&edited));
             assert!(step(&edited) > 1.2 * step(patch) || Patch::beams_of(&edited).unwrap().1.len() > 3000);
         }
