@@ -5,7 +5,8 @@
 //! * [`sections`]: stored values as containers of sections;
 //! * [`words`]: parameters as named words, stored and as text;
 //! * [`sort`]: long sorts that can be interrupted;
-//! * [`stats`]: order statistics;
+//! * [`stats`]: order statistics, robust weights;
+//! * [`scatter`]: places spread over a list;
 //! * [`whole`]: the whole numbers beside a number;
 //! * [`hilbert`]: cells along a space-filling curve;
 //! * [`normal`]: the normal distribution;
@@ -17,6 +18,7 @@ pub mod chi_square;
 pub(crate) mod eigen;
 pub(crate) mod hilbert;
 pub mod normal;
+pub mod scatter;
 pub(crate) mod sections;
 pub mod sort;
 pub mod stats;

@@ -2,6 +2,14 @@
 
 /// Standard deviation of a median against that of a mean, for a normal sample: √(π/2).
 pub const MEDIAN_SD: f64 = 1.2533;
+/// Tukey's constant for 95 % efficiency at the normal distribution.
+const TUKEY: f64 = 4.685;
+
+/// Tukey's biweight of a residual that has this spread (σ).
+pub fn tukey(residual: f64, spread: f64) -> f64 {
+    let part = residual / (TUKEY * spread);
+    if part.abs() < 1.0 { (1.0 - part * part).powi(2) } else { 0.0 }
+}
 
 /// Median of `values` (reordered in place); `None` when empty. An even count gives the mean of the middle two.
 pub fn median(values: &mut [f64]) -> Option<f64> {

@@ -4,10 +4,11 @@ use std::ops::Range;
 
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 
-use super::jackknife::{Grouped, tukey};
-use super::sequence::{Sequence, scattered};
+use super::jackknife::Grouped;
+use super::sequence::Sequence;
 use crate::geometry::Vec3;
-use crate::num::stats::median_and_spread;
+use crate::num::scatter::scattered;
+use crate::num::stats::{median_and_spread, tukey};
 
 /// Most rounds of fitting the axis.
 const ROUNDS: usize = 25;

@@ -3,7 +3,8 @@
 
 use nalgebra::{Matrix2, Vector2};
 
-use super::sequence::{Sequence, scattered};
+use super::sequence::Sequence;
+use crate::num::scatter::scattered;
 
 /// Number of chords that are tried.
 const CHORDS: usize = 4000;

@@ -5,10 +5,11 @@ use std::f64::consts::PI;
 use nalgebra::{Matrix2, Vector2};
 
 use super::axis::{Axis, ScanLine};
-use super::jackknife::{Grouped, tukey};
-use super::sequence::{Sequence, scattered};
+use super::jackknife::Grouped;
+use super::sequence::Sequence;
 use crate::geometry::Vec3;
-use crate::num::stats::{median, median_and_spread};
+use crate::num::scatter::scattered;
+use crate::num::stats::{median, median_and_spread, tukey};
 
 /// Between the points of a pair there is such a part of a line.
 const PARTS_OF_LINE: usize = 16;

@@ -58,12 +58,6 @@ pub fn deviation(without_each: impl Iterator<Item = f64> + Clone) -> f64 {
     ((n - 1.0) / n * without_each.map(|v| (v - mean).powi(2)).sum::<f64>()).sqrt()
 }
 
-/// Tukey's weight, without unit, of a residual that has this spread (σ).
-pub fn tukey(residual: f64, spread: f64) -> f64 {
-    let part = residual / (4.685 * spread);
-    if part.abs() < 1.0 { (1.0 - part * part).powi(2) } else { 0.0 }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -7,8 +7,9 @@ use super::chords::first_axis;
 use super::height::{self, HeightFit};
 use super::jackknife::deviation;
 use super::lines::{cut, rising_share, share_in_lines};
-use super::sequence::{Sequence, scattered};
+use super::sequence::Sequence;
 use crate::geometry::Vec3;
+use crate::num::scatter::scattered;
 use crate::num::stats::median;
 use crate::scan::Beam;
 

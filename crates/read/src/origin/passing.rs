@@ -7,6 +7,7 @@
 use std::f64::consts::{PI, TAU};
 
 use asbuilt_core::geometry::Vec3;
+use asbuilt_core::num::scatter::scattered;
 use asbuilt_core::scan::Beam;
 use kd_tree::{KdPoint, KdTree};
 use rustc_hash::{FxBuildHasher, FxHashSet};
@@ -206,16 +207,4 @@ fn surround(headings: &mut [f64]) -> bool {
     headings.sort_by(f64::total_cmp);
     let around = headings[0] + TAU - headings[headings.len() - 1];
     headings.windows(2).map(|w| w[1] - w[0]).fold(around, f64::max) < PI
-}
-
-/// At most `wanted` of `len` places, scattered so that no regular grid appears in them.
-fn scattered(len: usize, wanted: usize) -> impl Iterator<Item = usize> {
-    let every = (len as f64 / wanted as f64).max(1.0);
-    let count = if every > 1.0 { wanted } else { len };
-    (0..count).map(move |i| {
-        // Fibonacci hashing (Knuth 1973, 6.4): an even sequence without a period.
-        let jitter = (i as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 40;
-        let within = if every > 1.0 { jitter as f64 / (1u64 << 24) as f64 } else { 0.0 };
-        (((i as f64 + within) * every) as usize).min(len - 1)
-    })
 }

@@ -4,7 +4,9 @@ use anyhow::Result;
 use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::verify::{Evidence, EvidenceModel, Judged, Question, SurveyObjects, Threads, Verdict, VerdictRule};
+use asbuilt_core::verify::{
+    Evidence, EvidenceModel, Judged, Question, Summary, SurveyObjects, Threads, Verdict, VerdictRule,
+};
 use asbuilt_fieldscan::Receiver;
 use rayon::prelude::*;
 
@@ -42,17 +44,21 @@ pub fn cases(scene: &Scene) -> Result<Vec<Case>> {
 
 /// The evidence and the verdict of every object, together.
 pub fn verified(scene: &Scene, delivery: Delivery) -> Result<Vec<(Evidence, Judged)>> {
-    let patches = delivery.patches(&scene.scans)?;
-    let objects = &scene.layout.objects;
-    let solids: Vec<(Solid, EvidenceModel)> =
-        objects.iter().enumerate().map(|(i, o)| (o.solid.clone(), model(scene, i))).collect();
-    let objects = SurveyObjects::new(solids, Threads::Pool, NEVER)?;
+    let (objects, patches) = survey(scene, delivery)?;
     Ok(objects.verified(&patches, 32, &VerdictRule::default(), Threads::Pool, NEVER)?)
 }
 
-/// The evidence of every object alone.
+/// The evidence of every object alone, without a second look.
 pub fn evidence(scene: &Scene, delivery: Delivery) -> Result<Vec<Evidence>> {
-    Ok(verified(scene, delivery)?.into_iter().map(|(evidence, _)| evidence).collect())
+    let (objects, patches) = survey(scene, delivery)?;
+    Ok(objects.evidence(&patches, 32, Threads::Pool, NEVER)?)
+}
+
+/// All drawn objects, and the patches that are delivered.
+fn survey(scene: &Scene, delivery: Delivery) -> Result<(SurveyObjects, Vec<Vec<u8>>)> {
+    let solids: Vec<(Solid, EvidenceModel)> =
+        scene.layout.objects.iter().enumerate().map(|(i, o)| (o.solid.clone(), model(scene, i))).collect();
+    Ok((SurveyObjects::new(solids, Threads::Pool, NEVER)?, delivery.patches(&scene.scans)?))
 }
 
 /// What a surveyor tells: the scanner's data sheet (a white surface at 10 m), the registration's report. Classes
@@ -83,14 +89,13 @@ fn case(
     (evidence, judged): &(Evidence, Judged),
 ) -> Result<Case> {
     let (object, fate) = (&scene.layout.objects[number], &scene.fates[number]);
-    let model = *evidence.model();
     let summary = &judged.summary;
     let mut right = right(object, fate, (truths, returns), loa(scene, number).upper(), border(scene));
     if delivery == Delivery::Merged {
         // Without rays nothing is seen to be empty.
         allow_silence(&mut right.verdicts);
     }
-    let (stated, deviation) = compared(scene, number, evidence, &model)?;
+    let (stated, deviation) = compared(scene, number, evidence, summary)?;
     Ok(Case {
         scene: scene.plan.number,
         model: scene.plan.name(),
@@ -154,14 +159,14 @@ fn compared(
     scene: &Scene,
     number: usize,
     evidence: &Evidence,
-    model: &EvidenceModel,
+    summary: &Summary,
 ) -> Result<(Vec<Stated>, Option<Estimate>)> {
     let (object, fate, standing) = (&scene.layout.objects[number], &scene.fates[number], &scene.standing[number]);
-    let tolerance = loa(scene, number).upper();
+    let (question, tolerance) = (evidence.model().question, loa(scene, number).upper());
     let stride = evidence.samples().len().div_ceil(MAX_STATED).max(1);
     let faces: Vec<usize> = evidence.samples().face_of_each().collect();
     let (mut stated, mut deviations, mut i) = (Vec::new(), Vec::new(), 0);
-    evidence.for_each_sample(&model.question, NEVER, |place, normal, belief| {
+    evidence.for_each_sample(&question, NEVER, |place, normal, belief| {
         if i % stride == 0 && belief.seen {
             let distance = standing.distance(place, normal, object.is_closed, REACH_M);
             let within = distance.is_some_and(|d| d <= tolerance);
@@ -171,10 +176,9 @@ fn compared(
         }
         i += 1;
     })?;
-    let summary = evidence.summary(&model.question, &VerdictRule::default(), NEVER)?;
     let is_rigid = matches!(fate.deed, Deed::AsDrawn | Deed::Displaced);
     let estimate = summary.deviation.filter(|_| is_rigid).and_then(|(value, sd)| {
-        let reports = evidence.faces(&model.question, NEVER).ok()?;
+        let reports = evidence.faces(&question, NEVER).ok()?;
         let face = reports.iter().position(|r| r.deviation.is_some_and(|d| d.0 == value))?;
         let mut truth: Vec<f64> = deviations.iter().filter(|d| d.0 == face).map(|d| d.1).collect();
         truth.sort_by(f64::total_cmp);

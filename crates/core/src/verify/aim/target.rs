@@ -2,7 +2,7 @@
 
 use super::triangle::TargetTriangle;
 use super::triangle_index::TriangleIndex;
-use crate::geometry::{Aabb, Adjacency, BLUNT_EDGE_COS, Closedness, Solid, Vec3};
+use crate::geometry::{Aabb, Adjacency, BLUNT_EDGE_COS, Closedness, FaceKind, Solid, Vec3};
 use crate::{Grow, Interrupt, Result, poll_now_and_then, room};
 
 /// Triangles of one culling chunk.
@@ -87,7 +87,7 @@ fn fill(solid: &Solid, triangles: &mut Vec<TargetTriangle>, interrupt: Interrupt
         let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
         if let Some(normal) = n.try_normalize(1e-12) {
             *place = triangles.len() as u32;
-            let is_optional = solid.is_transparent(t) || solid.is_movable(t);
+            let is_optional = FaceKind::of(solid, t) != FaceKind::Fixed;
             let none = [TargetTriangle::NONE; 3];
             triangles.push(TargetTriangle { corners, normal, neighbours: none, across: none, is_optional });
         }

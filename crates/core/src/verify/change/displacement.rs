@@ -8,8 +8,7 @@ use super::thresholds::{MAX_CHANCE, MIN_REGISTRATION_SIGMAS, MIN_SAMPLES_OF_FACE
 use crate::geometry::Vec3;
 use crate::num::chi_square;
 use crate::num::eigen;
-use crate::num::stats::MEDIAN_SD;
-use crate::num::stats::median_and_spread;
+use crate::num::stats::{MEDIAN_SD, median_and_spread};
 use crate::verify::model::EvidenceModel;
 use crate::verify::surface::{FittedFace, Shift, shift_of_faces};
 use crate::{Interrupt, Result, poll};

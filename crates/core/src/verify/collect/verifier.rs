@@ -111,13 +111,30 @@ impl SurveyObjects {
         threads: Threads,
         interrupt: Interrupt,
     ) -> Result<Vec<Evidence>> {
+        let gathered = self.gathered(patches, at_once, None, threads, interrupt)?;
+        Ok(gathered.into_iter().map(|(_, evidence)| evidence).collect())
+    }
+
+    /// The same with the objects' numbers; `sights` remember all beams.
+    pub(in crate::verify) fn gathered<P: AsRef<[u8]> + Sync>(
+        &self,
+        patches: &[P],
+        at_once: usize,
+        mut sights: Option<&mut Sights>,
+        threads: Threads,
+        interrupt: Interrupt,
+    ) -> Result<Vec<(u32, Evidence)>> {
         let mut out = Vec::new();
         for batch in self.batches() {
             let mut verifier = Verifier::new(self, &batch, threads, interrupt)?;
-            patches.chunks(at_once.max(1)).try_for_each(|some| verifier.absorb(some, None, interrupt))?;
+            for some in patches.chunks(at_once.max(1)) {
+                verifier.absorb(some, sights.as_deref_mut(), interrupt)?;
+            }
+            // Once is enough.
+            sights = None;
             out.extend(verifier.into_evidence());
         }
         out.sort_by_key(|(object, _)| *object);
-        Ok(out.into_iter().map(|(_, evidence)| evidence).collect())
+        Ok(out)
     }
 }

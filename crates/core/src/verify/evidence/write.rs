@@ -1,14 +1,15 @@
 //! The stored and transmitted form of evidence.
 //!
-//! A container of sections (`num/sections.rs`), version 4, letter `'E'`, notes: two-sided; and the sum of 1 where it knows
-//! its neighbours, 2 where it says why it was not seen, 4 where it says which face was found elsewhere, 8 where
-//! some faces are of leaves or panes. The header's content, little-endian: fingerprint, faces, blocks, samples and stations u32, reference 3×f64, box 6×f64,
-//! model. The body: per face its normal 3×f64 and its smooth surface (varint, at most its own number); blocks as (face
-//! varint, length u8); samples 3×f32; per station its number i64, origin 3×f64 (NaN: none, infinity: many), step f32,
-//! blocks present u32, and per block its number (varint, difference) and per sample the beams (varint) and, unless 0,
-//! five signed varints; then the seven shares of why it was not seen, f32, and the face that was found: face and
-//! samples u32, deviation and its σ f64; and for each face its kind u8 (0 fixed, 1 movable, 2 transparent). Versions 1 to 3 are read: preamble, header and body one after the other, without
-//! checksums; versions 1 and 2 have no surfaces (every face is one) and no steps.
+//! A container of sections (`num/sections.rs`), version 4, letter `'E'`, notes: two-sided; and the sum of 1 where it
+//! knows its neighbours, 2 where it says why it was not seen, 4 where it says which face was found elsewhere, 8 where
+//! some faces are of leaves or panes. The header's content, little-endian: fingerprint, faces, blocks, samples and
+//! stations u32, reference 3×f64, box 6×f64, model. The body: per face its normal 3×f64 and its smooth surface
+//! (varint, at most its own number); blocks as (face varint, length u8); samples 3×f32; per station its number i64,
+//! origin 3×f64 (NaN: none, infinity: many), step f32, blocks present u32, and per block its number (varint,
+//! difference) and per sample the beams (varint) and, unless 0, five signed varints; then the seven shares of why it
+//! was not seen, f32, and the face that was found: face and samples u32, deviation and its σ f64; and for each face
+//! its kind u8 (0 fixed, 1 movable, 2 transparent). Versions 1 to 3 are read: preamble, header and body one after the
+//! other, without checksums; versions 1 and 2 have no surfaces (every face is one) and no steps.
 
 use super::station::StationEvidence;
 use super::value::Evidence;

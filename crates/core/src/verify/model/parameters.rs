@@ -133,6 +133,12 @@ impl EvidenceModel {
         1e-8
     }
 
+    /// Variance that a mean over samples shares, m², where the squares of the stations' shares in it add up to `squares`:
+    /// registration averages out over stations only, the model not.
+    pub fn common_variance(&self, squares: f64) -> f64 {
+        self.sigma_station.powi(2) * squares + self.sigma_model.powi(2) + self.least_variance()
+    }
+
     /// σ of a deviation's second order, metres: a surface off by this much is also turned a little, and beams meet it
     /// beside the place that they tell of.
     pub fn second_order_sd(&self, deviation: f64) -> f64 {

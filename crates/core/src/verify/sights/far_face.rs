@@ -6,9 +6,9 @@
 
 use std::collections::BTreeSet;
 
-use super::second_look::{Looked, Owner};
+use super::second_look::{Looked, Owner, Sighted};
 use super::sight_map::SightMap;
-use crate::geometry::{FaceKind, Vec3};
+use crate::geometry::{FaceKind, Vec3, perpendiculars};
 use crate::num::stats::{MEDIAN_SD, median_and_spread};
 use crate::verify::evidence::{Evidence, FoundFace};
 use crate::verify::model::{EvidenceModel, RATHER, three_sigma};
@@ -126,16 +126,13 @@ impl FarFaces<'_> {
     /// How far away a place is from a station, and how far in front of it along `normal` the beam ended that was sent
     /// there; `None` where it tells nothing. Metres.
     fn height(&self, map: &SightMap, place_world: &Vec3, normal: &Vec3) -> Option<(f64, f64, [u32; 3])> {
-        let sight = place_world - map.origin_world;
-        let range = sight.norm();
-        let (direction, towards) = (sight / range, -sight.dot(normal) / range);
-        let cos = if self.looked.two_sided { towards.abs() } else { towards };
+        let Sighted { place_scanner, range, direction, cos, .. } = self.looked.sighted(map, place_world, normal);
         if cos < self.looked.model.max_incidence.cos() {
             return None;
         }
         let beam = map.towards(&direction)?;
         let met = beam.met()?;
-        let height = (met - sight).dot(normal);
+        let height = (met - place_scanner).dot(normal);
         if height.abs() > self.looked.model.reach {
             return None;
         }
@@ -149,9 +146,7 @@ impl FarFaces<'_> {
 
     /// Whether the surface that was found goes on beyond the outline of the face.
     fn goes_on(&self, of_face: &[usize], normal: &Vec3, deviation: f64, plane: &[Met]) -> bool {
-        let helper = if normal.z.abs() < 0.9 { Vec3::z() } else { Vec3::x() };
-        let u = helper.cross(normal).normalize();
-        let w = normal.cross(&u);
+        let [u, w] = perpendiculars(normal);
         let places: Vec<Vec3> = of_face.iter().map(|i| self.evidence.samples.position(*i)).collect();
         let extent = |axis: &Vec3| {
             let along = places.iter().map(|p| p.dot(axis));
@@ -208,6 +203,5 @@ fn measured(plane: &[Met], model: &EvidenceModel) -> Option<(f64, f64)> {
     let maps: BTreeSet<usize> = plane.iter().map(|m| m.map).collect();
     let share = |map: usize| plane.iter().filter(|m| m.map == map).count() as f64 / plane.len() as f64;
     let stations: f64 = maps.into_iter().map(|m| share(m).powi(2)).sum();
-    let common = model.sigma_station.powi(2) * stations + model.sigma_model.powi(2) + model.least_variance();
-    Some((median, (random.powi(2) + common).sqrt().hypot(model.second_order_sd(median))))
+    Some((median, (random.powi(2) + model.common_variance(stations)).sqrt().hypot(model.second_order_sd(median))))
 }

@@ -35,6 +35,18 @@ pub struct Looked<'a> {
     pub model: &'a EvidenceModel,
 }
 
+/// A place as a station sees it.
+pub struct Sighted {
+    /// From where its beams start, metres.
+    pub place_scanner: Vec3,
+    pub range: f64,
+    pub direction: Vec3,
+    /// Of the angle of incidence; not positive where it is seen from behind.
+    pub cos: f64,
+    /// 1 where the normal looks at the station, else −1.
+    pub side: f64,
+}
+
 /// What kept one station from a sample, from the least to the most that had to change for it to be seen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Kept {
@@ -82,11 +94,17 @@ impl Looked<'_> {
         }
     }
 
-    fn kept(&self, map: &SightMap, position_world: &Vec3, normal: &Vec3) -> Kept {
-        let sight = position_world - map.origin_world;
-        let range = sight.norm();
-        let (direction, towards) = (sight / range, -sight.dot(normal) / range);
+    /// A place on a face with this normal. World metres.
+    pub fn sighted(&self, map: &SightMap, position_world: &Vec3, normal: &Vec3) -> Sighted {
+        let place_scanner = position_world - map.origin_world;
+        let range = place_scanner.norm();
+        let (direction, towards) = (place_scanner / range, -place_scanner.dot(normal) / range);
         let cos = if self.two_sided { towards.abs() } else { towards };
+        Sighted { place_scanner, range, direction, cos, side: towards.signum() }
+    }
+
+    fn kept(&self, map: &SightMap, position_world: &Vec3, normal: &Vec3) -> Kept {
+        let Sighted { place_scanner, range, direction, cos, side } = self.sighted(map, position_world, normal);
         let Some(beam) = (cos > 0.0).then(|| map.towards(&direction)).flatten() else { return Kept::Aside };
         let Some(met) = beam.met() else {
             // The one beam that is remembered here may have passed beside what is as small.
@@ -94,7 +112,7 @@ impl Looked<'_> {
             return if is_small { Kept::Reached } else { Kept::NothingReturned };
         };
         // In front of the sample's plane, on the station's side.
-        let height = (met - sight).dot(normal) * towards.signum();
+        let height = (met - place_scanner).dot(normal) * side;
         let as_designed = as_designed(self.model);
         let (met_world, beam_direction) = (met + map.origin_world, met.normalize());
         if height > as_designed && met.norm() < range {

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, SVector};
 
-use crate::geometry::Vec3;
+use crate::geometry::{Vec3, perpendiculars};
 use crate::num::eigen;
 
 /// Terms of a trend at the most.
@@ -48,8 +48,8 @@ impl Basis {
         let normal = eigen.eigenvectors.column(eigen.eigenvalues.imax()).into_owned();
         let axis = eigen.eigenvectors.column(eigen.eigenvalues.imin()).into_owned();
         let curved = eigen.eigenvalues.max() < MAX_CURVED;
-        let first = if curved { axis } else { perpendicular(&normal) };
-        let axes = [first, normal.cross(&first)];
+        let axes = if curved { [axis, normal.cross(&axis)] } else { perpendiculars(&normal) };
+        let first = axes[0];
         let off = |o: &DeviationSample, a: &Vec3| (o.position_local - origin_local).dot(a).abs();
         let extent = |a: &Vec3| samples.iter().map(|o| off(o, a)).fold(0.0, f64::max);
         let scale = if curved { extent(&first) } else { extent(&first).max(extent(&axes[1])) };
@@ -93,9 +93,4 @@ impl Basis {
         };
         rise.abs() / self.scale
     }
-}
-
-fn perpendicular(normal: &Vec3) -> Vec3 {
-    let helper = if normal.z.abs() < 0.9 { Vec3::z() } else { Vec3::x() };
-    helper.cross(normal).normalize()
 }

@@ -18,10 +18,10 @@ impl StationShares {
         self.shares.iter().map(move |&(station, share)| (station as usize, share / all))
     }
 
-    /// Variance that a mean over these samples shares: registration averages out over stations only, the model not.
+    /// Variance that a mean over these samples shares.
     pub fn common_variance(&self, model: &EvidenceModel) -> f64 {
         let squares: f64 = if self.shares.is_empty() { 1.0 } else { self.shares().map(|(_, w)| w * w).sum() };
-        model.sigma_station.powi(2) * squares + model.sigma_model.powi(2) + model.least_variance()
+        model.common_variance(squares)
     }
 
     /// Adds those of another face of the same surface.

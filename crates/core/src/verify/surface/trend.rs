@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, SMatrix};
 use super::basis::{Basis, DeviationSample, TERMS, TermVector};
 use crate::geometry::Vec3;
 use crate::num::eigen;
-use crate::num::stats::{median, median_and_spread};
+use crate::num::stats::{median, median_and_spread, tukey};
 use crate::{Interrupt, Result, poll, poll_now_and_then};
 
 /// Steepest slope of a built face against the drawn one, about 5°. What lies steeper before a face is another
@@ -25,8 +25,6 @@ const JUDGES: usize = 200;
 const MAX_FITTED: usize = 4_000;
 /// Deviations agree within this, metres, however precise they are: plaster, paint, rounding.
 const MIN_SCALE_M: f64 = 2e-4;
-/// Tukey's constant for 95 % efficiency at the normal distribution.
-const TUKEY: f64 = 4.685;
 
 /// The trend of the deviations over one smooth surface.
 #[derive(Debug, Clone)]
@@ -150,13 +148,12 @@ impl Polynomial {
             let mut residuals: Vec<f64> = samples.iter().map(|o| self.residual(o)).collect();
             spread = median_and_spread(&mut residuals).map_or(0.0, |m| m.1);
             poll(interrupt)?;
-            let scale = TUKEY * spread.max(MIN_SCALE_M);
+            let scale = spread.max(MIN_SCALE_M);
             let mut normal_matrix = SMatrix::<f64, TERMS, TERMS>::zeros();
             let mut right = TermVector::zeros();
             for (i, o) in samples.iter().enumerate() {
                 poll_now_and_then(i, interrupt)?;
-                let r = self.residual(o) / scale;
-                let w = if r.abs() < 1.0 { (1.0 - r * r).powi(2) } else { 0.0 };
+                let w = tukey(self.residual(o), scale);
                 let row = self.basis.row(o);
                 normal_matrix += row * row.transpose() * w;
                 right += row * (w * o.deviation);

@@ -2,7 +2,7 @@
 
 use super::rule::{Verdict, VerdictRule};
 use super::summary::Summary;
-use crate::verify::collect::{SurveyObjects, Threads, Verifier};
+use crate::verify::collect::{SurveyObjects, Threads};
 use crate::verify::evidence::Evidence;
 use crate::verify::sights::Sights;
 use crate::{Interrupt, Result};
@@ -56,18 +56,13 @@ impl SurveyObjects {
         threads: Threads,
         interrupt: Interrupt,
     ) -> Result<Vec<(Evidence, Judged)>> {
-        let (mut out, mut sights) = (Vec::new(), Sights::default());
-        for (round, batch) in self.batches().iter().enumerate() {
-            let mut verifier = Verifier::new(self, batch, threads, interrupt)?;
-            for some in patches.chunks(at_once.max(1)) {
-                verifier.absorb(some, (round == 0).then_some(&mut sights), interrupt)?;
-            }
-            for (object, mut evidence) in verifier.into_evidence() {
-                let judged = self.judge(object, &mut evidence, &sights, rule, interrupt)?;
-                out.push((object, (evidence, judged)));
-            }
-        }
-        out.sort_by_key(|(object, _)| *object);
-        Ok(out.into_iter().map(|(_, verified)| verified).collect())
+        let mut sights = Sights::default();
+        let gathered = self.gathered(patches, at_once, Some(&mut sights), threads, interrupt)?;
+        let mut all: Vec<_> = gathered.into_iter().map(|(object, evidence)| (object, evidence, None)).collect();
+        threads.for_each(&mut all, |(object, evidence, judged)| {
+            *judged = Some(self.judge(*object, evidence, &sights, rule, interrupt)?);
+            Ok(())
+        })?;
+        Ok(all.into_iter().filter_map(|(_, evidence, judged)| Some((evidence, judged?))).collect())
     }
 }
