@@ -152,8 +152,7 @@ fn plants_beside_the_extension() {
     mallory.batch_execute(&evil("ab_area(text)", "float8")).unwrap();
     let scan = scan(&db);
     all_commands(&db, &roles[0], "public", text(&scan), "before the extension");
-    let model =
-        "loa ab_loa, model text, spacing text, sigma_range text, sigma_angle text, sigma_station text, confidence text";
+    let model = "loa ab_loa, model text, spacing text, sigma_range text, sigma_angle text, sigma_station text, confidence text, reach text";
     let plants = [
         evil(&format!("ab_evidence_model({model})"), "ab_evidence_model"),
         evil("ab_pose(text, text)", "ab_pose"),
@@ -171,7 +170,7 @@ fn plants_beside_the_extension() {
     }
     all_commands(&db, &roles[0], "public", text(&scan), "beside the extension");
     // One that fits as well as ours is not called either: PostgreSQL does not know which is meant.
-    let model = "loa ab_loa, model text, spacing float8, sigma_range float8, sigma_angle float8, sigma_station float8, confidence float8";
+    let model = "loa ab_loa, model text, spacing float8, sigma_range float8, sigma_angle float8, sigma_station float8, confidence float8, reach float8";
     mallory.batch_execute(&evil(&format!("ab_evidence_model({model})"), "ab_evidence_model")).unwrap();
     let out = db.command_as(&roles[0], "public", &["verify", "--spacing", "0.2"]).output().unwrap();
     assert!(

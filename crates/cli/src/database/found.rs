@@ -4,7 +4,7 @@ use anyhow::{Result, bail};
 use postgres::{GenericClient, Row};
 
 use super::connect::explain;
-use super::ddl::{LAYOUT_TABLE, ORIGIN_COLUMNS, TOUR, TableOf};
+use super::ddl::{LAYOUT, LAYOUT_TABLE, ORIGIN_COLUMNS, TOUR, TableOf};
 use super::names::Names;
 
 /// The tables that exist.
@@ -12,6 +12,8 @@ pub struct Found {
     /// The model and scan tables in their order: owner, and whether the current user may act for the owner.
     pub tour: [Option<Owner>; 3],
     pub layout_table: Option<Owner>,
+    /// The layout that each of them has.
+    pub layouts: [Option<i32>; 3],
     /// The layout that the tables have; `None` where one of them is missing.
     pub layout: Option<i32>,
     /// The layout that is written down.
@@ -62,13 +64,15 @@ const WAY_OUT: &str = "keep the tables of asbuilt in a schema of their own: CREA
 
 /// Looks, and refuses what is not the program's.
 pub fn look(client: &mut impl GenericClient, names: &Names) -> Result<Found> {
-    let mut tour = [None, None, None];
-    let (mut has_key, mut has_origin) = (false, false);
-    for (slot, table) in tour.iter_mut().zip(&TOUR) {
+    let (mut tour, mut layouts) = ([None, None, None], [None; 3]);
+    for (i, table) in TOUR.iter().enumerate() {
         let Some((owner, columns)) = relation(client, names, table)? else { continue };
-        *slot = Some(owner);
-        has_key |= table.name == "scan" && is_key(names, &columns)?;
-        has_origin |= table.name == "station" && tells_origin(names, &columns)?;
+        tour[i] = Some(owner);
+        layouts[i] = Some(match table.name {
+            "scan" if !is_key(names, &columns)? => 1,
+            "station" if !tells_origin(names, &columns)? => 2,
+            _ => LAYOUT,
+        });
     }
     let layout_table = relation(client, names, &LAYOUT_TABLE)?.map(|(owner, _)| owner);
     let written = match layout_table {
@@ -78,13 +82,10 @@ pub fn look(client: &mut impl GenericClient, names: &Names) -> Result<Found> {
         }
         None => None,
     };
-    let layout = match (has_key, has_origin) {
-        (false, _) => 1,
-        (true, false) => 2,
-        (true, true) => written.unwrap_or(3).max(3),
-    };
-    let layout = tour.iter().all(Option::is_some).then_some(layout);
-    Ok(Found { tour, layout_table, layout, written })
+    // The oldest of them; `None` is less than any.
+    let oldest = layouts.iter().copied().min().flatten();
+    let layout = oldest.map(|oldest| if oldest == LAYOUT { written.unwrap_or(oldest).max(oldest) } else { oldest });
+    Ok(Found { tour, layouts, layout_table, layout, written })
 }
 
 /// Owner and columns of a table; `None` where nothing has its name.

@@ -77,8 +77,9 @@ fn with_extension(tx: &mut Transaction, names: &Names, current: Option<&str>) ->
 }
 
 fn update(tx: &mut Transaction, names: &Names, found: &Found, done: &mut Vec<String>) -> Result<()> {
+    // Each table has its own: beside those that are missing, some may be of an older program.
     let missing: Vec<&Migration> =
-        MIGRATIONS.iter().filter(|m| found.layout.is_some_and(|layout| m.from >= layout)).collect();
+        MIGRATIONS.iter().filter(|m| found.layouts[m.table].is_some_and(|layout| m.from >= layout)).collect();
     let owner_of = |m: &Migration| found.tour[m.table].as_ref();
     if let Some(Owner { name, .. }) = missing.iter().filter_map(|m| owner_of(m)).find(|o| !o.is_ours) {
         let all: Vec<String> = missing.iter().map(|m| names.sql(m.ddl)).collect();
