@@ -1,11 +1,10 @@
 //! Solids as PostGIS writes surfaces: EWKB of POLYHEDRALSURFACE Z and TIN Z (and of polygons).
 
-use std::collections::HashMap;
-
 use super::triangulate::triangulate;
 use super::{Solid, Vec3};
 use crate::error::{Error, Result};
 use crate::num::bytes::{ByteReader, Put};
+use crate::num::piece_map::PieceMap;
 use crate::{Grow, Interrupt, poll_now_and_then};
 
 const TY: &str = "geometry";
@@ -147,17 +146,18 @@ impl Cursor<'_> {
 struct PolygonMesh {
     vertices: Vec<Vec3>,
     triangles: Vec<[u32; 3]>,
-    number_of: HashMap<[u64; 3], u32>,
+    number_of: PieceMap<[u64; 3], u32>,
 }
 
 impl PolygonMesh {
-    fn number(&mut self, v: Vec3) -> u32 {
+    fn number(&mut self, v: Vec3, interrupt: Interrupt) -> Result<u32> {
         // Zero has two forms.
         let key = v.map(|c| (c + 0.0).to_bits()).into();
-        *self.number_of.entry(key).or_insert_with(|| {
+        let fresh = || {
             self.vertices.push(v);
             self.vertices.len() as u32 - 1
-        })
+        };
+        self.number_of.made_by(key, fresh, interrupt).copied()
     }
 
     /// Adds the polygon or triangle whose head was read.
@@ -192,9 +192,8 @@ impl PolygonMesh {
             return Err(bad(&corners));
         }
         self.vertices.grow(corners.len(), interrupt)?;
-        self.number_of.grow(corners.len(), interrupt)?;
         self.triangles.grow(cut.len(), interrupt)?;
-        let numbers: Vec<u32> = corners.into_iter().map(|c| self.number(c)).collect();
+        let numbers = corners.into_iter().map(|c| self.number(c, interrupt)).collect::<Result<Vec<u32>>>()?;
         self.triangles.extend(cut.iter().map(|t| t.map(|i| numbers[i])));
         Ok(())
     }

@@ -1,10 +1,10 @@
 //! Faces: the nearly plane pieces of a mesh, each judged as one.
 
 use std::cmp::Reverse;
-use std::collections::HashMap;
 
 use super::adjacency::Adjacency;
 use super::{FaceKind, Solid, Vec3};
+use crate::num::piece_map::PieceMap;
 use crate::num::sort::sort;
 use crate::{Interrupt, Result, poll_now_and_then, room};
 
@@ -44,7 +44,7 @@ pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
     let adjacency = Adjacency::of(solid, interrupt)?;
     let of_triangle = vec![Faces::NONE; planes.len()];
     let mut faces = Faces { of_triangle, normals: Vec::new(), surface_of_face: Vec::new(), kinds: Vec::new() };
-    let mut by_plane: HashMap<([i64; 4], FaceKind), u32> = HashMap::new();
+    let mut by_plane: PieceMap<([i64; 4], FaceKind), u32> = PieceMap::default();
     let centre = solid.bounds().centre();
     for (round, seed) in largest_first(&planes, interrupt)?.into_iter().enumerate() {
         poll_now_and_then(round, interrupt)?;
@@ -53,7 +53,7 @@ pub fn group_faces(solid: &Solid, interrupt: Interrupt) -> Result<Faces> {
             continue;
         }
         let (fresh, kind) = (faces.normals.len() as u32, FaceKind::of(solid, seed as usize));
-        let face = *by_plane.entry((plane.key(&centre), kind)).or_insert(fresh);
+        let face = *by_plane.made_by((plane.key(&centre), kind), || fresh, interrupt)?;
         if face == fresh {
             faces.normals.push(plane.normal);
             faces.kinds.push(kind);

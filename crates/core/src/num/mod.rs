@@ -5,6 +5,7 @@
 //! * [`sections`]: stored values as containers of sections;
 //! * [`words`]: parameters as named words, stored and as text;
 //! * [`sort`]: long sorts that can be interrupted;
+//! * [`piece_map`]: large maps no step of which is long;
 //! * [`stats`]: order statistics, robust weights;
 //! * [`scatter`]: places spread over a list;
 //! * [`whole`]: the whole numbers beside a number;
@@ -18,6 +19,7 @@ pub mod chi_square;
 pub(crate) mod eigen;
 pub(crate) mod hilbert;
 pub mod normal;
+pub(crate) mod piece_map;
 pub mod scatter;
 pub(crate) mod sections;
 pub mod sort;

@@ -41,9 +41,11 @@ pub const TARGETS: &[Target] = &[
 ];
 
 /// Runs work with an interrupt that says stop after it was asked many times: the work is bounded if it asks at all.
+/// Half a million steps: some tenths of a second, and a fourth of what an instrumented program has before it counts as
+/// hung.
 fn bounded<T>(work: impl FnOnce(asbuilt_core::Interrupt) -> T) -> T {
     let asked = AtomicU64::new(0);
-    work(&|| asked.fetch_add(1, Ordering::Relaxed) > 2000)
+    work(&|| asked.fetch_add(1, Ordering::Relaxed) > 500)
 }
 
 /// How a kept input ended.

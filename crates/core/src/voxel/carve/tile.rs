@@ -4,9 +4,9 @@ use super::local_origin::LocalOrigin;
 use super::ray::Ray;
 use super::traverse::traverse;
 use crate::voxel::lattice::bits::{Bits, common, slot_of};
-use crate::voxel::lattice::block_map::{block_of, made};
-use crate::voxel::lattice::{BlockMap, EDGE, Grid, VoxelBlock, VoxelBox};
-use crate::{Grow, Interrupt, Result, poll};
+use crate::voxel::lattice::block_map::block_of;
+use crate::voxel::lattice::{BlockMap, Grid, VoxelBlock, VoxelBox};
+use crate::{Interrupt, Result, poll};
 
 /// Voxels of a lone ray between two looks at interrupt and memory.
 const PIECE: f64 = 1024.0;
@@ -24,7 +24,7 @@ pub struct CarvedTile<'a> {
 impl CarvedTile<'_> {
     /// The block numbered `key`, made where it is missing.
     pub fn block(&mut self, key: [i32; 3], interrupt: Interrupt) -> Result<&mut VoxelBlock> {
-        made(self.blocks, key, interrupt)
+        self.blocks.made(key, interrupt)
     }
 
     /// Notes voxels of a block as traversed, as far as they belong to the tile.
@@ -45,15 +45,18 @@ impl CarvedTile<'_> {
         let pieces = (way.amax() / PIECE).ceil().max(1.0);
         for piece in 0..pieces as u64 {
             poll(interrupt)?;
-            // Nothing can be refused on the way: a piece of a ray passes at most three voxels a step.
-            self.blocks.grow(3 * PIECE as usize / EDGE as usize + 4, interrupt)?;
             let [from, to] = [piece, piece + 1].map(|i| ray.start + way * (i as f64 / pieces));
+            let mut refused = Ok(());
             traverse(&from, &to, |local| {
                 let voxel = origin.world(local);
                 if self.span.holds(voxel) {
-                    self.blocks.entry(block_of(voxel)).or_default().traverse(slot_of(voxel));
+                    match self.block(block_of(voxel), interrupt) {
+                        Ok(block) => block.traverse(slot_of(voxel)),
+                        Err(e) => refused = Err(e),
+                    }
                 }
             });
+            refused?;
         }
         Ok(())
     }

@@ -7,7 +7,6 @@ use crate::Interrupt;
 use crate::error::Result;
 use crate::num::bytes::{ByteReader, Put};
 use crate::voxel::lattice::block_bytes::{ABOVE_THE_LAST, read_bits, read_blocks, write_bits, write_blocks, write_key};
-use crate::voxel::lattice::block_map::{in_order, insert};
 use crate::voxel::lattice::{TileFormat, TileHeader};
 
 const FORMAT: TileFormat = TileFormat::CHANGE;
@@ -24,7 +23,7 @@ impl VoxelChange {
     /// Little-endian: the header (its notes: 1 against a model, the threshold), the tolerance f64, then per block, in
     /// the order of their numbers, a byte of flags, its number as occupancy has it, and two or three planes of bits.
     pub fn to_bytes(&self, interrupt: Interrupt) -> Result<Vec<u8>> {
-        let blocks = in_order(&self.blocks, interrupt, |classes| classes)?;
+        let blocks = self.blocks.in_order(interrupt, |classes| classes)?;
         let keys = blocks.iter().map(|(key, _)| *key).collect::<Vec<_>>();
         let notes = [u8::from(self.against_model), self.settings.threshold];
         FORMAT.write(notes, &self.grid, keys.iter().copied(), interrupt, |out| {
@@ -47,9 +46,7 @@ impl VoxelChange {
         }
         let against_model = header.notes[0] == 1;
         let mut out = Self { grid: header.grid, settings, against_model, blocks: Default::default() };
-        read_blocks(r, &header, interrupt, |r, flags, key| {
-            insert(&mut out.blocks, key, read_classes(r, flags)?, interrupt)
-        })?;
+        read_blocks(r, &header, interrupt, |r, flags, key| out.blocks.insert(key, read_classes(r, flags)?, interrupt))?;
         Ok(out)
     }
 }
@@ -88,7 +85,7 @@ mod tests {
             let settings = ChangeSettings { threshold, tolerance: 0.01 };
             let mut c = VoxelChange { grid, settings, against_model, blocks: Default::default() };
             for (key, slot, class) in voxels {
-                let classes = c.blocks.entry(key).or_default();
+                let classes = c.blocks.made(key, NEVER).unwrap();
                 if classes.get(slot).is_none() {
                     classes.set(slot, ChangeClass::ALL[class]);
                 }
@@ -139,8 +136,8 @@ mod tests {
         let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.01, 5.0).unwrap();
         let settings = ChangeSettings { threshold: 3, tolerance: 0.0 };
         let mut c = VoxelChange { grid, settings, against_model: false, blocks: Default::default() };
-        (0..5000).for_each(|i| {
-            c.blocks.entry([0, 0, i]).or_default().set(3, ChangeClass::New);
+        (0..100_000).for_each(|i| {
+            c.blocks.made([0, 0, i], NEVER).unwrap().set(3, ChangeClass::New);
         });
         let bytes = c.to_bytes(NEVER).unwrap();
         assert!(VoxelChange::from_bytes(&bytes, &AtOnce(100_000)).is_err());

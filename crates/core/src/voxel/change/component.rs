@@ -5,7 +5,7 @@ use super::value::VoxelChange;
 use crate::error::{Error, Result};
 use crate::geometry::{Aabb, Vec3};
 use crate::voxel::lattice::bits::{self, slot_of, slots};
-use crate::voxel::lattice::block_map::{block_of, in_order, insert, voxel_at};
+use crate::voxel::lattice::block_map::{block_of, voxel_at};
 use crate::voxel::lattice::{Bits, BlockMap, steps_within};
 use crate::{Grow, Interrupt, poll_now_and_then};
 
@@ -39,10 +39,10 @@ impl VoxelChange {
         let mut left: BlockMap<Bits> = BlockMap::default();
         for (round, (key, classes)) in self.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
-            insert(&mut left, *key, classes.of(class), interrupt)?;
+            left.insert(*key, classes.of(class), interrupt)?;
         }
         let mut out = Vec::new();
-        for (round, (key, classes)) in in_order(&self.blocks, interrupt, |classes| classes)?.into_iter().enumerate() {
+        for (round, (key, classes)) in self.blocks.in_order(interrupt, |classes| classes)?.into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             for slot in slots(&classes.of(class)) {
                 let seed = voxel_at(key, slot);

@@ -7,7 +7,7 @@ use super::settings::ChangeSettings;
 use crate::error::{Error, LatticeMismatch, Result};
 use crate::geometry::Aabb;
 use crate::voxel::lattice::bits::{common, slot_of, slots};
-use crate::voxel::lattice::block_map::{block_of, in_order, insert, made, voxel_at};
+use crate::voxel::lattice::block_map::{block_of, voxel_at};
 use crate::voxel::lattice::{BlockMap, Grid};
 use crate::voxel::occupancy::Occupancy;
 use crate::{Interrupt, poll_now_and_then};
@@ -43,7 +43,7 @@ impl VoxelChange {
             poll_now_and_then(if judge.steps.len() > 27 { 0 } else { 16 * round }, interrupt)?;
             let classes = judge.block(key);
             if classes != Classes::default() {
-                insert(&mut out.blocks, key, classes, interrupt)?;
+                out.blocks.insert(key, classes, interrupt)?;
             }
         }
         Ok(out)
@@ -75,7 +75,7 @@ impl VoxelChange {
 
     /// Calls `visit(voxel, class)` for every voxel that is occupied in one of the epochs, in the order of blocks.
     pub fn for_each(&self, interrupt: Interrupt, mut visit: impl FnMut([i64; 3], ChangeClass)) -> Result<()> {
-        for (round, (key, classes)) in in_order(&self.blocks, interrupt, |classes| classes)?.into_iter().enumerate() {
+        for (round, (key, classes)) in self.blocks.in_order(interrupt, |classes| classes)?.into_iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             for slot in slots(&classes.any()) {
                 if let Some(class) = classes.get(slot) {
@@ -94,7 +94,7 @@ impl VoxelChange {
         }
         for (round, (key, theirs)) in other.blocks.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
-            let mine = made(&mut self.blocks, *key, interrupt)?;
+            let mine = self.blocks.made(*key, interrupt)?;
             if mine.any().iter().zip(theirs.any()).any(|(a, b)| a & b != 0) {
                 return Err(Error::Lattice(LatticeMismatch::SharedVoxels));
             }
@@ -116,7 +116,7 @@ impl VoxelChange {
             let inside = span.of_block(*key);
             let part = Classes(classes.0.map(|plane| common(&plane, &inside)));
             if part != Classes::default() {
-                insert(&mut out.blocks, *key, part, interrupt)?;
+                out.blocks.insert(*key, part, interrupt)?;
             }
         }
         Ok(out)

@@ -51,13 +51,14 @@ pub fn steps_within(gap: f64) -> Vec<[i64; 3]> {
 mod tests {
     use super::super::block_map::voxel_at;
     use super::*;
+    use crate::NEVER;
 
     #[test]
     fn neighbours_are_found_across_borders() {
         let mut blocks: BlockMap<u8> = BlockMap::default();
-        blocks.insert([-1, 0, 0], 1);
-        blocks.insert([0, 0, 0], 2);
-        blocks.insert([0, 1, 1], 3);
+        blocks.insert([-1, 0, 0], 1, NEVER).unwrap();
+        blocks.insert([0, 0, 0], 2, NEVER).unwrap();
+        blocks.insert([0, 1, 1], 3, NEVER).unwrap();
         let around = Around::new(&blocks, [0, 0, 0]);
         let slot = slot_of([0, 7, 7]);
         assert_eq!(voxel_at([0, 0, 0], slot), [0, 7, 7]);

@@ -28,6 +28,8 @@ pub fn for_each_on_surface(
     };
     let mut round = 0;
     for i in numbers(u, [low[u], high[u]]) {
+        round += 1;
+        poll_now_and_then(round, interrupt)?;
         let Some([low, high]) = triangle.within(i as f64) else { continue };
         for j in numbers(v, [low[v], high[v]]) {
             let [near, far] = triangle.heights(i as f64 + 0.5, j as f64 + 0.5);
@@ -226,5 +228,10 @@ mod tests {
         }
         assert!((2_700_000..6_000_000).contains(&met), "{met}");
         assert!(polls.load(Relaxed) < 60_000, "{polls:?}");
+        // Beside the span: a million rows without a voxel, and as often asked.
+        polls.store(0, Relaxed);
+        let corners = [Vec3::zeros(), Vec3::new(9e5, -9e5, 0.5), Vec3::new(1.0, -2.0, 0.0)];
+        for_each_on_surface(&corners, &span, &count, |_| Ok(())).unwrap();
+        assert!(polls.load(Relaxed) > 800, "{polls:?}");
     }
 }

@@ -1,7 +1,7 @@
 //! A set of voxels: what a solid fills.
 
 use crate::voxel::lattice::bits::{self, slot_of, slots};
-use crate::voxel::lattice::block_map::{block_of, insert, made};
+use crate::voxel::lattice::block_map::block_of;
 use crate::voxel::lattice::{Around, Bits, BlockMap, EDGE, VoxelBox};
 use crate::{Interrupt, Result, poll_now_and_then};
 
@@ -39,7 +39,7 @@ impl VoxelSet {
 
     /// Adds a voxel.
     pub(crate) fn insert(&mut self, voxel: [i64; 3], interrupt: Interrupt) -> Result<()> {
-        bits::put(made(&mut self.blocks, block_of(voxel), interrupt)?, slot_of(voxel));
+        bits::put(self.blocks.made(block_of(voxel), interrupt)?, slot_of(voxel));
         Ok(())
     }
 
@@ -51,7 +51,7 @@ impl VoxelSet {
             let stop = ((x.div_euclid(EDGE) + 1) * EDGE).min(end);
             let slot = slot_of([x, y, z]);
             let run = (u64::MAX >> (64 - (stop - x))) << (slot % 64);
-            made(&mut self.blocks, block_of([x, y, z]), interrupt)?[slot / 64] |= run;
+            self.blocks.made(block_of([x, y, z]), interrupt)?[slot / 64] |= run;
             x = stop;
         }
         Ok(())
@@ -59,7 +59,7 @@ impl VoxelSet {
 
     /// Puts a block that is not there yet.
     pub(crate) fn insert_block(&mut self, key: [i32; 3], own: Bits, interrupt: Interrupt) -> Result<()> {
-        insert(&mut self.blocks, key, own, interrupt)
+        self.blocks.insert(key, own, interrupt)
     }
 
     /// Adds the voxels of another.

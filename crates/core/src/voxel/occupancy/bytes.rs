@@ -7,7 +7,6 @@ use crate::error::Result;
 use crate::num::bytes::{ByteReader, Put};
 use crate::voxel::lattice::bits::{Bits, slots};
 use crate::voxel::lattice::block_bytes::{ABOVE_THE_LAST, read_bits, read_blocks, write_bits, write_blocks, write_key};
-use crate::voxel::lattice::block_map::insert;
 use crate::voxel::lattice::{TileFormat, TileHeader, VoxelBlock};
 
 const FORMAT: TileFormat = TileFormat::OCCUPANCY;
@@ -56,7 +55,7 @@ impl Occupancy {
         read_blocks(r, &header, interrupt, |r, flags, key| {
             let block = read_block(r, flags)?;
             match &mut out.known {
-                KnownTile::Seen(blocks) => insert(blocks, key, block, interrupt),
+                KnownTile::Seen(blocks) => blocks.insert(key, block, interrupt),
                 KnownTile::Drawn(set) => set.insert_block(key, filled(r, &block)?, interrupt),
             }
         })?;
@@ -140,7 +139,7 @@ mod tests {
     use super::*;
     use crate::voxel::lattice::Grid;
     use crate::voxel::lattice::bits::slot_of;
-    use crate::voxel::lattice::block_map::{BlockMap, block_of, made};
+    use crate::voxel::lattice::block_map::{BlockMap, block_of};
     use crate::voxel::model::VoxelSet;
     use crate::{AtOnce, NEVER};
     use proptest::prelude::*;
@@ -156,7 +155,7 @@ mod tests {
             .prop_map(|(voxels, full)| {
                 let mut blocks = BlockMap::default();
                 for (v, what) in voxels {
-                    let block: &mut VoxelBlock = made(&mut blocks, block_of(v), NEVER).unwrap();
+                    let block: &mut VoxelBlock = blocks.made(block_of(v), NEVER).unwrap();
                     if what > 0 {
                         block.hit(slot_of(v), 1);
                     }
@@ -165,7 +164,7 @@ mod tests {
                     }
                 }
                 for key in full {
-                    blocks.insert(key, VoxelBlock { traversed: [u64::MAX; 8], hits: None });
+                    blocks.insert(key, VoxelBlock { traversed: [u64::MAX; 8], hits: None }, NEVER).unwrap();
                 }
                 seen(blocks)
             })
@@ -209,10 +208,10 @@ mod tests {
     #[test]
     fn a_model_is_stored_as_returns() {
         let grid = Grid::new(0.02, Grid::EVERYWHERE, 0.01, 5.0).unwrap();
-        let (mut set, mut blocks) = (VoxelSet::default(), BlockMap::default());
+        let (mut set, mut blocks) = (VoxelSet::default(), BlockMap::<VoxelBlock>::default());
         for v in [[0, 0, 0], [1, 0, 0], [-3, 9, 100], [-3, 9, 108]] {
             set.insert(v, NEVER).unwrap();
-            made::<VoxelBlock>(&mut blocks, block_of(v), NEVER).unwrap().hit(slot_of(v), DRAWN);
+            blocks.made(block_of(v), NEVER).unwrap().hit(slot_of(v), DRAWN);
         }
         let model = set.into_model(grid, NEVER).unwrap();
         let bytes = model.to_bytes(NEVER).unwrap();
@@ -231,7 +230,7 @@ mod tests {
                 .unwrap()
         };
         assert_eq!(as_seen([1, 0], &blocks), bytes);
-        made::<VoxelBlock>(&mut blocks, [0, 0, 0], NEVER).unwrap().traverse(7);
+        blocks.made([0, 0, 0], NEVER).unwrap().traverse(7);
         assert!(Occupancy::from_bytes(&as_seen([0, 0], &blocks), NEVER).is_ok());
         assert!(Occupancy::from_bytes(&as_seen([1, 0], &blocks), NEVER).is_err());
     }
@@ -240,9 +239,11 @@ mod tests {
     #[test]
     fn memory_is_bounded() {
         let full = VoxelBlock { traversed: [u64::MAX; 8], hits: None };
-        let o = seen((0..5000).map(|i| ([0, 0, i], full.clone())).collect());
+        let mut blocks = BlockMap::default();
+        (0..100_000).for_each(|i| blocks.insert([0, 0, i], full.clone(), NEVER).unwrap());
+        let o = seen(blocks);
         let bytes = o.to_bytes(NEVER).unwrap();
-        assert!(bytes.len() < 5000 + 200, "a full block takes a byte: {}", bytes.len());
+        assert!(bytes.len() < 100_000 + 4000, "a full block takes a byte: {}", bytes.len());
         assert!(Occupancy::from_bytes(&bytes, &AtOnce(100_000)).is_err());
     }
 }

@@ -5,10 +5,10 @@ use super::value::Occupancy;
 use crate::error::{Error, LatticeMismatch, Result};
 use crate::geometry::Aabb;
 use crate::voxel::lattice::bits::{holds, slot_of, slots};
-use crate::voxel::lattice::block_map::{block_of, insert, made, voxel_at};
+use crate::voxel::lattice::block_map::{block_of, voxel_at};
 use crate::voxel::lattice::{Around, Bits, BlockMap, Grid, VoxelBlock, VoxelBox, steps_within};
 use crate::voxel::model::VoxelSet;
-use crate::{Grow, Interrupt, poll_now_and_then};
+use crate::{Interrupt, poll_now_and_then};
 
 impl Occupancy {
     /// The voxels whose centres lie in a box.
@@ -71,7 +71,7 @@ fn clipped(blocks: &BlockMap<VoxelBlock>, span: &VoxelBox, interrupt: Interrupt)
             (0..512).filter(|&slot| !holds(&inside, slot)).for_each(|slot| hits[slot] = 0);
         }
         if let Some(part) = part.tidied() {
-            insert(&mut out, *key, part, interrupt)?;
+            out.insert(*key, part, interrupt)?;
         }
     }
     Ok(out)
@@ -84,8 +84,10 @@ fn denoised(
     has_enough: impl Fn(&Around<Bits>, usize) -> bool,
 ) -> Result<BlockMap<VoxelBlock>> {
     let mut occupied = BlockMap::default();
-    occupied.grow(blocks.len(), interrupt)?;
-    occupied.extend(blocks.iter().map(|(key, b)| (*key, b.occupied(threshold))));
+    for (round, (key, block)) in blocks.iter().enumerate() {
+        poll_now_and_then(round, interrupt)?;
+        occupied.insert(*key, block.occupied(threshold), interrupt)?;
+    }
     let mut out = BlockMap::default();
     for (round, (key, block)) in blocks.iter().enumerate() {
         poll_now_and_then(16 * round, interrupt)?;
@@ -96,7 +98,7 @@ fn denoised(
             slots(&returns).filter(|&slot| !has_enough(&around, slot)).for_each(|slot| hits[slot] = 0);
         }
         if let Some(kept) = kept.tidied() {
-            insert(&mut out, *key, kept, interrupt)?;
+            out.insert(*key, kept, interrupt)?;
         }
     }
     Ok(out)
@@ -117,7 +119,7 @@ fn downsampled(blocks: &BlockMap<VoxelBlock>, interrupt: Interrupt) -> Result<Bl
                 continue;
             }
             let voxel = larger(*key, slot);
-            let whole: &mut VoxelBlock = made(&mut out, block_of(voxel), interrupt)?;
+            let whole: &mut VoxelBlock = out.made(block_of(voxel), interrupt)?;
             if is_traversed {
                 whole.traverse(slot_of(voxel));
             }

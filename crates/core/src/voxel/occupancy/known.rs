@@ -1,7 +1,6 @@
 //! The blocks of a tile, whether beams saw them or a model was drawn.
 
 use crate::voxel::lattice::bits::{self, Bits};
-use crate::voxel::lattice::block_map::in_order;
 use crate::voxel::lattice::{Around, BlockMap, VoxelBlock, VoxelState};
 use crate::voxel::model::VoxelSet;
 use crate::{Interrupt, Result};
@@ -33,15 +32,15 @@ impl KnownTile {
             Self::Seen(blocks) => (Some(blocks), None),
             Self::Drawn(set) => (None, Some(set.blocks())),
         };
-        let seen = seen.into_iter().flatten().map(|(key, block)| (*key, KnownBlock::Seen(block)));
-        seen.chain(drawn.into_iter().flatten().map(|(key, bits)| (*key, KnownBlock::Drawn(bits))))
+        let seen = seen.into_iter().flat_map(BlockMap::iter).map(|(key, block)| (*key, KnownBlock::Seen(block)));
+        seen.chain(drawn.into_iter().flat_map(BlockMap::iter).map(|(key, bits)| (*key, KnownBlock::Drawn(bits))))
     }
 
     /// All blocks, in the order of their numbers.
     pub fn sorted(&self, interrupt: Interrupt) -> Result<Vec<([i32; 3], KnownBlock<'_>)>> {
         match self {
-            Self::Seen(blocks) => in_order(blocks, interrupt, KnownBlock::Seen),
-            Self::Drawn(set) => in_order(set.blocks(), interrupt, KnownBlock::Drawn),
+            Self::Seen(blocks) => blocks.in_order(interrupt, KnownBlock::Seen),
+            Self::Drawn(set) => set.blocks().in_order(interrupt, KnownBlock::Drawn),
         }
     }
 

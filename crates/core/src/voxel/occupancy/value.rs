@@ -6,7 +6,7 @@ use crate::geometry::Aabb;
 use crate::scan::PatchHeader;
 use crate::voxel::carve::{self, CarvedTile};
 use crate::voxel::lattice::bits::{self, slot_of};
-use crate::voxel::lattice::block_map::{block_of, insert, voxel_at};
+use crate::voxel::lattice::block_map::{block_of, voxel_at};
 use crate::voxel::lattice::{BlockMap, Grid, VoxelBlock, VoxelBox, VoxelState};
 use crate::voxel::model::VoxelSet;
 use crate::{Interrupt, poll, poll_now_and_then};
@@ -146,7 +146,7 @@ fn add(mine: &mut BlockMap<VoxelBlock>, theirs: &BlockMap<VoxelBlock>, interrupt
         poll_now_and_then(round, interrupt)?;
         match mine.get_mut(key) {
             Some(own) => own.add(block),
-            None => insert(mine, *key, block.clone(), interrupt)?,
+            None => mine.insert(*key, block.clone(), interrupt)?,
         }
     }
     Ok(())
