@@ -106,7 +106,7 @@ fn it_is_looked_for_as_far_as_asked() {
 #[test]
 fn what_is_not_the_panel_does_not_displace_it() {
     let hidden = Verdict::Unobserved;
-    let cases: [(&str, &[Box3], &[Box3], Verdict); 7] = [
+    let cases: [(&str, &[Box3], &[Box3], Verdict); 8] = [
         ("nothing", &[], &[], Verdict::Absent),
         (
             "a wall drawn behind",
@@ -127,6 +127,12 @@ fn what_is_not_the_panel_does_not_displace_it() {
             Verdict::Absent,
         ),
         ("a larger thing before it", &[], &[([4.75, -1.9, -1.6], [4.8, 1.9, 1.6])], hidden),
+        (
+            "what is drawn on it, displaced",
+            &[([4.98, -1.5, -1.2], [5.0, 1.5, 1.2])],
+            &[([4.86, -1.5, -1.2], [4.88, 1.5, 1.2]), PANEL],
+            hidden,
+        ),
         (
             "an object drawn before it",
             &[([4.75, -1.5, -1.2], [4.8, 1.5, 1.2])],

@@ -123,9 +123,36 @@ fn glass_and_leaves_count_where_they_were_met() {
     // Without the frame, the window is missing.
     let empty = view(Vec3::zeros(), |d| first(&[room], Vec3::zeros(), d));
     assert_eq!(verdict(window(true, false), &empty), Verdict::Absent);
-    // All of it glass: nothing can be said of it.
+    // All of it glass: nothing can be said of it, and little where a strip beside its frame was met.
     let only = Parts::new(vec![0; 12], vec![Part { is_transparent: true, ..Part::default() }]).unwrap();
-    assert_eq!(verdict(cuboid(&pane).with_parts(only).unwrap(), &empty), Verdict::Unobserved);
+    let panel = cuboid(&pane).with_parts(only).unwrap();
+    assert_eq!(verdict(panel.clone(), &empty), Verdict::Unobserved);
+    let strip = ([5.02, -0.6, -0.6], [5.03, -0.59, 0.6]);
+    let beside = view(Vec3::zeros(), |d| first(&[strip, room], Vec3::zeros(), d));
+    let summary = &judged(&[panel], &beside)[0];
+    assert!(summary.coverage < 0.1 && summary.verdict != Verdict::Conflicting, "{summary:?}");
+}
+
+/// A shelf under glass, and beams that end behind it: at a glancing angle they may show what the glass mirrors.
+#[test]
+fn what_lies_behind_glass_may_be_a_mirror_image() {
+    let under_glass = |pane: ([f64; 3], [f64; 3]), shelf: ([f64; 3], [f64; 3])| {
+        let (glass, shelf) = (cuboid(&pane), cuboid(&shelf));
+        let vertices = glass.vertices().iter().chain(shelf.vertices()).copied().collect();
+        let moved = shelf.triangles().iter().map(|t| t.map(|v| v + glass.vertices().len() as u32));
+        let triangles: Vec<[u32; 3]> = glass.triangles().iter().copied().chain(moved).collect();
+        let part = (0..triangles.len()).map(|t| u16::from(t >= 12)).collect();
+        let parts = vec![Part { is_transparent: true, ..Part::default() }, Part::default()];
+        Solid::new(vertices, triangles).unwrap().with_parts(Parts::new(part, parts).unwrap()).unwrap()
+    };
+    let seen = |solid: Solid, behind| {
+        let beams = view(Vec3::zeros(), |d| first(&[behind], Vec3::zeros(), d));
+        judged(&[solid], &beams)[0].verdict
+    };
+    let glancing = under_glass(([3.0, 1.5, -1.2], [6.0, 1.51, 1.2]), ([3.8, 1.6, -0.7], [5.0, 1.62, 0.7]));
+    assert_eq!(seen(glancing, ([3.0, 1.72, -2.0], [8.0, 1.8, 2.0])), Verdict::Unobserved);
+    let head_on = under_glass(([5.0, -0.7, -0.7], [5.01, 0.7, 0.7]), ([5.1, -0.7, -0.7], [5.12, 0.7, 0.7]));
+    assert_eq!(seen(head_on, ([5.22, -2.0, -2.0], [5.3, 2.0, 2.0])), Verdict::Deviating);
 }
 
 /// A missing column, its ends in the planes of floor and ceiling, under points without origin.

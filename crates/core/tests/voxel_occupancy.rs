@@ -161,9 +161,9 @@ fn order_and_parts_do_not_matter() {
 fn runaway_grids_stop() {
     let patches = scene(5, Vec3::zeros(), 6);
     let mut o = Occupancy::new(Grid::new(0.002, Grid::EVERYWHERE, 0.0, 30.0).unwrap());
-    let stopped = patches.iter().find_map(|p| o.absorb(p, &AtOnce(1 << 20)).err()).unwrap();
+    let stopped = patches.iter().find_map(|p| o.absorb(p, &AtOnce(1 << 16)).err()).unwrap();
     assert!(matches!(stopped, Error::OutOfMemory { .. }), "{stopped}");
-    assert!(o.sorted(NEVER).unwrap().len() < 1 << 14);
+    assert!(o.sorted(NEVER).unwrap().len() < 1 << 16);
 }
 
 proptest! {

@@ -134,20 +134,20 @@ impl Layout {
         if lowest.is_finite() { lowest } else { self.bounds.min[2] }
     }
 
-    /// The object, other than `but`, whose drawn surface comes nearest to a place and is parallel to a `normal` there;
-    /// within `reach` metres.
-    pub fn coincident(&self, place: &Vec3, normal: &Vec3, but: usize, reach: f64) -> Option<usize> {
+    /// The object, other than `but`, whose drawn surface comes nearest to a place and is parallel to a `normal` there,
+    /// and whether it looks the other way; within `reach` metres.
+    pub fn coincident(&self, place: &Vec3, normal: &Vec3, but: usize, reach: f64) -> Option<(usize, bool)> {
         const PARALLEL: f64 = 0.94;
-        let mut best: Option<(f64, usize)> = None;
+        let mut best: Option<(f64, usize, bool)> = None;
         self.tree.near(place, reach, |t| {
             if t.surface as usize == but || t.normal().dot(normal).abs() < PARALLEL {
                 return;
             }
             let distance = (t.nearest(place) - place).norm();
             if distance <= best.map_or(reach, |b| b.0) {
-                best = Some((distance, t.surface as usize));
+                best = Some((distance, t.surface as usize, t.normal().dot(normal) < 0.0));
             }
         });
-        best.map(|b| b.1)
+        best.map(|(_, object, is_opposite)| (object, is_opposite))
     }
 }

@@ -37,12 +37,16 @@ pub struct Truth {
     pub turned: bool,
     /// Another object drawn here, where it is drawn or where it was built.
     pub shared_with: Option<usize>,
+    /// That one's surface looks the other way: where it stands, it covers this one.
+    pub covered: bool,
     /// Distance from the built surface that looks its way, metres; infinite where there is none.
     pub distance: f64,
     /// Beams that end on its built place.
     pub beams_on: f64,
     /// Beams that go through its drawn place, and return from farther behind.
     pub beams_through: f64,
+    /// Beams that end behind its drawn place by more than it may be off itself, however little.
+    pub beams_past: f64,
     /// Who stands before its drawn place as seen from the station nearest to it, where no station sees it.
     pub hidden_by: Option<u32>,
     /// What kept all stations from its drawn place.
@@ -68,6 +72,7 @@ fn truth(scene: &Scene, number: usize, sample: &Sample) -> Truth {
     let built = fate.place(&sample.place, leaf);
     let shared = |place: &Vec3| scene.layout.coincident(place, &sample.normal, number, SAME_PLACE_M);
     let elsewhere = || (!is_missing && !fate.is_turned(leaf)).then(|| shared(&built)).flatten();
+    let coincident = shared(&sample.place).or_else(elsewhere);
     let standing = &scene.standing[number];
     let mut out = Truth {
         face: sample.face,
@@ -75,7 +80,8 @@ fn truth(scene: &Scene, number: usize, sample: &Sample) -> Truth {
         glass: object.transparent[sample.triangle],
         leaf: leaf.is_some(),
         turned: fate.is_turned(leaf),
-        shared_with: shared(&sample.place).or_else(elsewhere),
+        shared_with: coincident.map(|c| c.0),
+        covered: coincident.is_some_and(|c| c.1),
         distance: standing.distance(&sample.place, &sample.normal, object.is_closed, REACH_M).unwrap_or(f64::INFINITY),
         ..Truth::default()
     };
@@ -84,7 +90,11 @@ fn truth(scene: &Scene, number: usize, sample: &Sample) -> Truth {
         let look = Look { scene, view: scene.view(i), eye: station.place, both_sides: !object.is_closed };
         let Some(sight) = look.at(&sample.place, &sample.normal, out.glass) else { continue };
         match look.outcome(&sight) {
-            Outcome::Through => out.beams_through += look.beams(&sight, sample.area),
+            Outcome::Through => {
+                out.beams_through += look.beams(&sight, sample.area);
+                out.beams_past += look.beams(&sight, sample.area);
+            }
+            Outcome::Past => out.beams_past += look.beams(&sight, sample.area),
             Outcome::Hidden(by) if sight.range < nearest => {
                 (nearest, out.hidden_by) = (sight.range, Some(by));
             }
@@ -123,6 +133,8 @@ pub struct Sight {
 /// What a beam at a drawn place does.
 pub enum Outcome {
     Through,
+    /// It ends behind it, by less than proves it empty.
+    Past,
     There,
     /// By whose surface.
     Hidden(u32),
@@ -159,7 +171,8 @@ impl Look<'_> {
         let behind = (range - sight.range) * sight.cos;
         match () {
             () if behind < -HIDDEN_BEFORE_M => Outcome::Hidden(owner),
-            () if behind < EMPTY_BEHIND_M => Outcome::There,
+            () if behind < HIDDEN_BEFORE_M => Outcome::There,
+            () if behind < EMPTY_BEHIND_M => Outcome::Past,
             () if power < self.scene.plan.scanner.receiver.min_power => Outcome::Nothing,
             () => Outcome::Through,
         }

@@ -76,7 +76,10 @@ pub fn right(object: &Object, fate: &Fate, (truths, returns): (&[Truth], usize),
         }
         Deed::AsDrawn | Deed::Displaced => {
             out.beams = own.iter().map(|t| t.beams_on).sum::<f64>().min(returns as f64);
-            out.built(&own, tolerance, border, fate.displaced.norm() > 0.0);
+            let past = truths.iter().filter(|t| t.beams_past > 0.0).count() as f64 / base;
+            let is_displaced = fate.displaced.norm() > 0.0;
+            out.built(&own, tolerance, border, is_displaced && past >= MAY_SEE);
+            out.laid_bare(truths, base, tolerance, border);
         }
     }
     if object.twin {
@@ -98,8 +101,9 @@ impl Right {
         }
     }
 
-    /// Confirmed or deviating by the worst surface, if enough of what was built is seen.
-    fn built(&mut self, own: &[&Truth], tolerance: f64, border: f64, displaced: bool) {
+    /// Confirmed or deviating by the worst surface, if enough of what was built is seen. `has_left`: it is displaced, and
+    /// beams passed some of its place.
+    fn built(&mut self, own: &[&Truth], tolerance: f64, border: f64, has_left: bool) {
         let area: f64 = own.iter().map(|t| t.area).sum();
         let few = self.beams < FEW_BEAMS || self.beams < FEW_BEAMS_A_M2 * area;
         if self.seen < MUST_SEE || few {
@@ -117,8 +121,26 @@ impl Right {
         }
         // Too little of it beside its empty place to recognise it, or none.
         let keeps = self.worst_m <= tolerance - border;
-        if displaced && self.seen < RECOGNISED && self.empty >= MAY_SEE && !keeps {
+        if has_left && self.seen < RECOGNISED && !keeps {
             self.verdicts.push(Verdict::Absent);
+        }
+    }
+
+    /// Where what covers it is not there, what is seen may be it, or the other, displaced: it may be taken for what it
+    /// is.
+    fn laid_bare(&mut self, truths: &[Truth], base: f64, tolerance: f64, border: f64) {
+        let is_seen = |t: &&Truth| t.beams_on > 0.0 && !t.turned;
+        let bare = truths.iter().filter(is_seen).filter(|t| t.covered).count() as f64 / base;
+        if bare < MAY_SEE {
+            return;
+        }
+        let seen: Vec<&Truth> = truths.iter().filter(is_seen).filter(|t| t.covered || t.own()).collect();
+        let keeps = worst(&seen, &WELL).1 <= tolerance + border;
+        let may_be_off = worst(&seen, &PERHAPS).0 > tolerance - border;
+        for (verdict, is_right) in [(Verdict::Confirmed, keeps), (Verdict::Deviating, may_be_off)] {
+            if is_right && !self.verdicts.contains(&verdict) {
+                self.verdicts.push(verdict);
+            }
         }
     }
 }

@@ -220,7 +220,7 @@ fn mark_twins(layout: &mut Layout, samples: &[Vec<Sample>]) {
         .enumerate()
         .map(|(i, own)| {
             let on: Vec<Option<usize>> =
-                own.iter().map(|s| layout.coincident(&s.place, &s.normal, i, COINCIDE_M)).collect();
+                own.iter().map(|s| layout.coincident(&s.place, &s.normal, i, COINCIDE_M).map(|c| c.0)).collect();
             let one = on.iter().flatten().next().copied();
             let count = |other: usize| on.iter().filter(|o| **o == Some(other)).count();
             one.is_some_and(|other| count(other) as f64 >= SHARE * own.len() as f64)

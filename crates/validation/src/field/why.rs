@@ -41,8 +41,8 @@ fn of_station(look: &Look<'_>, sight: &Sight, is_shared: bool, objects: u32) -> 
         Outcome::Hidden(by) if by < objects => (4, Kept { why: Why::HiddenByObject, by: Some(by) }),
         Outcome::Hidden(_) => (4, plain(Why::HiddenByOther)),
         _ if sight.cos < MAX_INCIDENCE.cos() => (3, plain(Why::TooSteep)),
-        Outcome::There if is_shared => (0, plain(Why::SharedFace)),
-        Outcome::There | Outcome::Through => (1, plain(Why::TooFew)),
+        Outcome::There | Outcome::Past if is_shared => (0, plain(Why::SharedFace)),
+        Outcome::There | Outcome::Past | Outcome::Through => (1, plain(Why::TooFew)),
         Outcome::Nothing => (2, plain(Why::NoReturn)),
     }
 }

@@ -6,17 +6,21 @@
 //! curved face or at a thin wall.
 //!
 //! Glass lets beams through, and a leaf may stand open: a pane or leaf counts only where a beam met it. Every other beam
-//! passes on to the parts behind.
+//! passes on to the parts behind. What passed a pane may as well have been mirrored by it: that it ends behind a part
+//! there does not say that the part is missing.
 
 use super::target::Target;
 use super::triangle::TargetTriangle;
-use crate::geometry::Vec3;
+use crate::geometry::{FaceKind, Vec3};
 use crate::scan::RangeImage;
 use crate::{Interrupt, Result, poll};
 
 /// A pane or leaf was met when the return lies no farther from it, metres along its normal: what it may be off as built,
 /// and less than what stands behind it.
 const MET_M: f64 = 0.03;
+
+/// What comes before a division in a comparison, where rounding must not decide.
+const NEARLY: f64 = 1.0 + 1e-12;
 
 /// Where one beam crosses the solid first.
 #[derive(Debug, Clone, Copy)]
@@ -29,6 +33,8 @@ pub struct BeamCrossing {
     pub distance: f64,
     /// Whether the triangle is seen from behind.
     from_behind: bool,
+    /// Where a pane of the solid lies before it, the cosine of the angle of incidence there.
+    pub pane_cos: Option<f64>,
 }
 
 impl BeamCrossing {
@@ -58,21 +64,31 @@ pub fn crossings(target: &Target, view: &RangeImage, reach: f64, interrupt: Inte
         let centre_scanner = centre_world - origin;
         centre_scanner.norm() - radius <= reach && view.header.cone.meets_ball(&centre_scanner, radius, 0.0)
     };
-    let mut runs = target.chunks(concerns).peekable();
-    if runs.peek().is_none() {
+    let faces_it =
+        |t: &usize| target.triangles[*t].height_of(&origin, target.two_sided).is_some_and(|h| h.abs() <= reach);
+    let triangles: Vec<usize> = target.chunks(concerns).flatten().filter(faces_it).collect();
+    if triangles.is_empty() {
         return Ok(Vec::new());
     }
     let mut fixed = Nearest::none(view.len());
     let mut optional = Nearest::none(if target.has_optional { view.len() } else { 0 });
-    for run in runs {
-        poll(interrupt)?;
-        for t in run {
-            let nearest = if target.triangles[t].is_optional { &mut optional } else { &mut fixed };
-            nearest.cross(target, t, view, reach);
+    for (round, t) in triangles.into_iter().enumerate() {
+        if round % 32 == 0 {
+            poll(interrupt)?;
         }
+        let nearest = if target.triangles[t].is_optional() { &mut optional } else { &mut fixed };
+        nearest.cross(target, t, view, reach);
     }
     let first = |slot| optional.met(target, view, slot).filter(|o| o.distance < fixed.distance[slot]);
-    Ok((0..view.len()).filter_map(|slot| first(slot).or_else(|| fixed.at(slot))).collect())
+    let behind = |slot, c: BeamCrossing| {
+        let is_before = |o: &BeamCrossing| {
+            o.distance < c.distance && target.triangles[o.triangle as usize].kind == FaceKind::Transparent
+        };
+        let pane = optional.at(slot).filter(is_before);
+        BeamCrossing { pane_cos: pane.map(|p| view.directions[slot].dot(&p.normal(target)).abs()), ..c }
+    };
+    let crossing = |slot| first(slot).or_else(|| fixed.at(slot).map(|c| behind(slot, c)));
+    Ok((0..view.len()).filter_map(crossing).collect())
 }
 
 impl Nearest {
@@ -88,7 +104,7 @@ impl Nearest {
     fn at(&self, slot: usize) -> Option<BeamCrossing> {
         let triangle = *self.triangle.get(slot).filter(|t| **t != TargetTriangle::NONE)?;
         let (distance, from_behind) = (self.distance[slot], self.from_behind[slot]);
-        Some(BeamCrossing { slot: slot as u32, triangle, distance, from_behind })
+        Some(BeamCrossing { slot: slot as u32, triangle, distance, from_behind, pane_cos: None })
     }
 
     /// The crossing of one beam, if it met something there.
@@ -106,9 +122,6 @@ impl Nearest {
         let corners_scanner = triangle.corners.map(|p| p - view.header.origin);
         let [a, b, c] = &corners_scanner;
         let height = a.dot(&triangle.normal);
-        if height == 0.0 || (height > 0.0 && !target.two_sided) {
-            return; // edge on, or seen from behind
-        }
         // Turned so that the normal looks at the scanner; a beam inside the triangle then has all three triple
         // products ≤ 0. Triangles that share an edge compute it from the same two points, so no beam slips through.
         let side = if height < 0.0 { 1.0 } else { -1.0 };
@@ -118,12 +131,16 @@ impl Nearest {
         for slots in view.slots_in(min, max) {
             for slot in slots {
                 let d = &view.directions[slot];
+                let slope = d.dot(&normal);
+                // Nothing is nearer that is not nearer than this by far more than rounding: most beams end here.
+                if slope >= 0.0 || height * side < self.distance[slot].min(reach) * slope * NEARLY {
+                    continue;
+                }
                 if d.dot(&edges[0]) > 0.0 || d.dot(&edges[1]) > 0.0 || d.dot(&edges[2]) > 0.0 {
                     continue;
                 }
-                let slope = d.dot(&normal);
                 let distance = height * side / slope;
-                if slope < 0.0 && distance < self.distance[slot] && distance <= reach {
+                if distance < self.distance[slot] && distance <= reach {
                     self.distance[slot] = distance;
                     self.triangle[slot] = t as u32;
                     self.from_behind[slot] = side < 0.0;

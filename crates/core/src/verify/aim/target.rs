@@ -50,7 +50,7 @@ impl Target {
             poll_now_and_then(chunks.len(), interrupt)?;
             chunks.push(Ball::around(chunk));
         }
-        let has_optional = triangles.iter().any(|t| t.is_optional);
+        let has_optional = triangles.iter().any(TargetTriangle::is_optional);
         let two_sided = solid.closedness() == Closedness::Open;
         Ok(Self { triangles, chunks, two_sided, has_optional, index: TriangleIndex::default() })
     }
@@ -87,9 +87,9 @@ fn fill(solid: &Solid, triangles: &mut Vec<TargetTriangle>, interrupt: Interrupt
         let n = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
         if let Some(normal) = n.try_normalize(1e-12) {
             *place = triangles.len() as u32;
-            let is_optional = FaceKind::of(solid, t) != FaceKind::Fixed;
+            let kind = FaceKind::of(solid, t);
             let none = [TargetTriangle::NONE; 3];
-            triangles.push(TargetTriangle { corners, normal, neighbours: none, across: none, is_optional });
+            triangles.push(TargetTriangle { corners, normal, neighbours: none, across: none, kind });
         }
     }
     Ok(place)
@@ -107,7 +107,7 @@ fn link(t: usize, across: impl Iterator<Item = u32>, triangles: &mut [TargetTria
             [true, _, true] => 2,
             _ => continue,
         };
-        let goes_on = here.normal.dot(&there.normal) >= BLUNT_EDGE_COS && here.is_optional == there.is_optional;
+        let goes_on = here.normal.dot(&there.normal) >= BLUNT_EDGE_COS && here.is_optional() == there.is_optional();
         triangles[t].across[edge] = u;
         if goes_on {
             triangles[t].neighbours[edge] = u;

@@ -1,6 +1,6 @@
 //! One triangle of a solid that beams are aimed at.
 
-use crate::geometry::Vec3;
+use crate::geometry::{FaceKind, Vec3};
 
 /// A triangle and its neighbours.
 #[derive(Debug)]
@@ -13,13 +13,25 @@ pub struct TargetTriangle {
     pub neighbours: [u32; 3],
     /// The same whatever the edge; [`TargetTriangle::NONE`] where the solid has no triangle there.
     pub across: [u32; 3],
-    /// Of a pane or a leaf: beams may pass its place although it was built.
-    pub is_optional: bool,
+    /// What it belongs to.
+    pub kind: FaceKind,
 }
 
 impl TargetTriangle {
     /// No neighbour.
     pub const NONE: u32 = u32::MAX;
+
+    /// Whether beams may pass its place although it was built: of a pane or a leaf.
+    pub fn is_optional(&self) -> bool {
+        self.kind != FaceKind::Fixed
+    }
+
+    /// How far before its plane a place lies, metres along the normal, negative in front of it; `None` where it is seen edge
+    /// on, or from behind and that counts not.
+    pub fn height_of(&self, place_world: &Vec3, two_sided: bool) -> Option<f64> {
+        let height = (self.corners[0] - place_world).dot(&self.normal);
+        (height < 0.0 || (height > 0.0 && two_sided)).then_some(height)
+    }
 
     /// The foot of a point (world metres) on the triangle's plane.
     pub fn on_plane(&self, point_world: &Vec3) -> Vec3 {
@@ -75,7 +87,7 @@ mod tests {
             let [a, b, c] = corners;
             let n = (b - a).cross(&(c - a));
             prop_assume!(n.norm() > 0.05);
-            let t = TargetTriangle { corners, normal: n.normalize(), neighbours: [TargetTriangle::NONE; 3], across: [TargetTriangle::NONE; 3], is_optional: false };
+            let t = TargetTriangle { corners, normal: n.normalize(), neighbours: [TargetTriangle::NONE; 3], across: [TargetTriangle::NONE; 3], kind: FaceKind::Fixed };
             let foot = t.on_plane(&point);
             prop_assert!((foot - a).dot(&t.normal).abs() < 1e-9);
             prop_assert!((point - foot).cross(&t.normal).norm() < 1e-9);

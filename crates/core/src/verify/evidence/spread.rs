@@ -56,7 +56,7 @@ pub fn sort_along_curve(points: &mut Vec<Vec3>, normal: &Vec3, spacing: f64, int
     order.grow(points.len(), interrupt)?;
     for (k, p) in points.iter().enumerate() {
         poll_now_and_then(k, interrupt)?;
-        order.push((hilbert::place_of::<32, 2>([cell(p[i], low[0]), cell(p[j], low[1])]), k as u32));
+        order.push((hilbert::place_in_plane([cell(p[i], low[0]), cell(p[j], low[1])]), k as u32));
     }
     sort(&mut order, interrupt)?;
     room::<Vec3>(points.len(), interrupt)?;

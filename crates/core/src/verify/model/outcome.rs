@@ -8,6 +8,8 @@ use crate::scan::{AngularGrid, RangeImage};
 use crate::verify::aim::{AimedAt, BeamCrossing, Foot, foot};
 use crate::{Interrupt, Result, poll_now_and_then};
 
+/// A pane mirrors a sixth of the light and more that comes at 60° and more from its normal (Fresnel, both sides).
+const GLANCING_COS: f64 = 0.5;
 /// Parts of an object whose normals differ by less (30°) may be taken for each other where it is displaced.
 const PARALLEL_COS: f64 = 0.866;
 
@@ -111,7 +113,8 @@ impl Classifier<'_> {
             BeamOutcome::Surface { deviation, .. } => Some(f64::from(deviation) / DEVIATION),
             BeamOutcome::SeenThrough { .. } => None,
         };
-        if met.is_none_or(|deviation| deviation < -self.noise.max(HIDDEN_M)) && self.may_pass_beside(crossing) {
+        let is_behind = met.is_none_or(|deviation| deviation < -self.noise.max(HIDDEN_M));
+        if is_behind && (self.may_be_mirrored(crossing) || self.may_pass_beside(crossing)) {
             return None;
         }
         let Some(deviation) = met else { return Some(outcome) };
@@ -122,6 +125,16 @@ impl Classifier<'_> {
             Ownership::Shared | Ownership::Hides => None,
             Ownership::SeenThrough => Some(BeamOutcome::SeenThrough { weight: 1.0 }),
         }
+    }
+
+    /// Whether what a beam seems to have met behind a face may be the image of something in the pane before it: where the
+    /// pane is met at a glancing angle, and where it ends farther behind than a part would be displaced.
+    fn may_be_mirrored(&self, crossing: &BeamCrossing) -> bool {
+        let Some(cos) = crossing.pane_cos else { return false };
+        let slot = crossing.slot as usize;
+        let normal = crossing.normal(self.aimed.target);
+        let behind = (crossing.distance - self.view.ranges[slot]) * self.view.directions[slot].dot(&normal);
+        cos < GLANCING_COS || behind > self.model.reach
     }
 
     /// Whether the object, built where it is drawn, may be missed by the beam: then what it met behind says nothing.

@@ -28,6 +28,8 @@ const MIN_OF_OBJECT: f64 = 0.03;
 const FLAT_M: f64 = 0.015;
 /// What is met this near to another drawn object may be it, metres.
 const CLAIMED_M: f64 = 0.1;
+/// A face is covered where another object's opposite face is drawn this near to it, metres.
+const COVERED_M: f64 = 0.015;
 /// Beside the outline it is asked so far off whether the surface goes on, metres; and farther by the width of a sight.
 const BESIDE_M: f64 = 0.08;
 /// A surface that goes on at more of these places is larger than the face.
@@ -116,17 +118,22 @@ impl FarFaces<'_> {
     /// What the nearest station met near a sample, that no other object explains.
     fn met_at(&self, sample: usize, normal: &Vec3) -> Option<Met> {
         let place_world = self.evidence.samples.position(sample);
-        let near = self.maps.iter().enumerate().filter_map(|(map, sights)| {
-            let (range, height, met_scanner) = self.height(sights, &place_world, normal)?;
-            Some((range, Met { sample, height, map, met_scanner }))
-        });
-        near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, met)| met)
+        let mut nearest: Option<(f64, Met)> = None;
+        for (map, sights) in self.maps.iter().enumerate() {
+            let range = (place_world - sights.origin_world).norm();
+            if nearest.as_ref().is_none_or(|n| range < n.0) {
+                let met = self.height(sights, &place_world, normal);
+                let met = met.map(|(height, met_scanner)| (range, Met { sample, height, map, met_scanner }));
+                nearest = met.or(nearest);
+            }
+        }
+        nearest.map(|(_, met)| met)
     }
 
-    /// How far away a place is from a station, and how far in front of it along `normal` the beam ended that was sent
-    /// there; `None` where it tells nothing. Metres.
-    fn height(&self, map: &SightMap, place_world: &Vec3, normal: &Vec3) -> Option<(f64, f64, [u32; 3])> {
-        let Sighted { place_scanner, range, direction, cos, .. } = self.looked.sighted(map, place_world, normal);
+    /// How far in front of a place along `normal` the beam ended that a station sent there, metres, and which beam it was;
+    /// `None` where it tells nothing.
+    fn height(&self, map: &SightMap, place_world: &Vec3, normal: &Vec3) -> Option<(f64, [u32; 3])> {
+        let Sighted { place_scanner, direction, cos, .. } = self.looked.sighted(map, place_world, normal);
         if cos < self.looked.model.max_incidence.cos() {
             return None;
         }
@@ -136,12 +143,16 @@ impl FarFaces<'_> {
         if height.abs() > self.looked.model.reach {
             return None;
         }
+        // What stands before a face that another object covers is rather that object, displaced.
+        if height > 0.0 && (self.looked.is_anothers)(place_world, normal, COVERED_M) {
+            return None;
+        }
         let within = (height.abs() / RATHER).min(CLAIMED_M);
         let (met_world, direction) = (met + map.origin_world, met.normalize());
         let is_anothers = (self.looked.is_anothers)(&met_world, &direction, within);
         // Another part of the object, where it is drawn.
         let is_own = height.abs() > CLAIMED_M && (self.looked.owner)(&met_world, &direction) == Owner::Own;
-        (!is_anothers && !is_own).then_some((range, height, beam.met_scanner.map(f32::to_bits)))
+        (!is_anothers && !is_own).then_some((height, beam.met_scanner.map(f32::to_bits)))
     }
 
     /// Whether the surface that was found goes on beyond the outline of the face.
@@ -162,7 +173,7 @@ impl FarFaces<'_> {
                 let place_world = u * x + w * y + normal * height;
                 let met = self.height(map, &place_world, normal);
                 asked += 1;
-                on += u32::from(met.is_some_and(|(_, off, _)| off.abs() <= FLAT_M));
+                on += u32::from(met.is_some_and(|(off, _)| off.abs() <= FLAT_M));
             }
         }
         f64::from(on) > MAX_GOES_ON * f64::from(asked)

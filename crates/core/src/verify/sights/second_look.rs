@@ -63,6 +63,11 @@ enum Kept {
 }
 
 impl Kept {
+    fn is_less_than(&self, other: &Self) -> bool {
+        let (a, b) = (self.order(), other.order());
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).is_lt()
+    }
+
     fn order(&self) -> (u8, f64) {
         match self {
             Self::Shared => (0, 0.0),
@@ -78,12 +83,14 @@ impl Kept {
 impl Looked<'_> {
     /// Why a sample was not seen, and which object hides it. World metres.
     pub fn why(&self, maps: &[&SightMap], position_world: &Vec3, normal: &Vec3) -> (Why, Option<u32>) {
-        let kept = maps.iter().map(|map| self.kept(map, position_world, normal));
-        let order = |a: &Kept, b: &Kept| {
-            let (a, b) = (a.order(), b.order());
-            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
-        };
-        match kept.min_by(order).unwrap_or(Kept::Aside) {
+        let mut least = Kept::Aside;
+        for map in maps {
+            let kept = self.kept(map, position_world, normal, &least);
+            if kept.is_less_than(&least) {
+                least = kept;
+            }
+        }
+        match least {
             Kept::Shared => (Why::SharedFace, None),
             Kept::Reached => (Why::TooFew, None),
             Kept::NothingReturned => (Why::NoReturn, None),
@@ -103,7 +110,8 @@ impl Looked<'_> {
         Sighted { place_scanner, range, direction, cos, side: towards.signum() }
     }
 
-    fn kept(&self, map: &SightMap, position_world: &Vec3, normal: &Vec3) -> Kept {
+    /// What kept a station from a sample; beyond what another one was kept by it is not asked whose it is.
+    fn kept(&self, map: &SightMap, position_world: &Vec3, normal: &Vec3, least: &Kept) -> Kept {
         let Sighted { place_scanner, range, direction, cos, side } = self.sighted(map, position_world, normal);
         let Some(beam) = (cos > 0.0).then(|| map.towards(&direction)).flatten() else { return Kept::Aside };
         let Some(met) = beam.met() else {
@@ -116,6 +124,9 @@ impl Looked<'_> {
         let as_designed = as_designed(self.model);
         let (met_world, beam_direction) = (met + map.origin_world, met.normalize());
         if height > as_designed && met.norm() < range {
+            if !(Kept::Hidden { by: None, range }).is_less_than(least) {
+                return Kept::Aside;
+            }
             match (self.owner)(&met_world, &beam_direction) {
                 Owner::Own => {}
                 Owner::Other(object) => return Kept::Hidden { by: Some(object), range },

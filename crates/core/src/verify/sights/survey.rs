@@ -42,6 +42,14 @@ impl Sights {
         self.are_some_unknown = true;
     }
 
+    /// The stations by their distance from an object: what the near ones tell saves asking the far ones.
+    fn nearest_first(&self, evidence: &Evidence) -> Vec<&SightMap> {
+        let centre = evidence.bounds.centre();
+        let mut maps: Vec<&SightMap> = self.maps.values().collect();
+        maps.sort_by(|a, b| (a.origin_world - centre).norm().total_cmp(&(b.origin_world - centre).norm()));
+        maps
+    }
+
     /// For an object that was not found where it is drawn, or without a number: its face that stands within the model's
     /// reach of there.
     pub(in crate::verify) fn far_face(
@@ -50,7 +58,7 @@ impl Sights {
         looked: &Looked<'_>,
         interrupt: Interrupt,
     ) -> Result<Option<FoundFace>> {
-        let maps: Vec<&SightMap> = self.maps.values().collect();
+        let maps = self.nearest_first(evidence);
         FarFaces { looked, maps: &maps, evidence, stride: stride(evidence) }.find(interrupt)
     }
 
@@ -62,7 +70,7 @@ impl Sights {
         interrupt: Interrupt,
     ) -> Result<(Option<Unseen>, Option<u32>)> {
         let samples = &evidence.samples;
-        let maps: Vec<&SightMap> = self.maps.values().collect();
+        let maps = self.nearest_first(evidence);
         let (mut counts, mut hiders) = ([0u32; 7], BTreeMap::new());
         let stride = stride(evidence);
         let is_expected = samples.expects();

@@ -26,8 +26,10 @@ pub struct FittedFace {
     pub smooth_surface: u32,
     /// What it belongs to.
     pub kind: FaceKind,
-    /// All samples; of a leaf or a pane those that were seen.
+    /// All samples, or those that were seen of a face that is not expected to be.
     pub samples: u64,
+    /// It is no leaf or pane, or the object has nothing else.
+    pub is_expected: bool,
     /// Samples at which any surface was seen within the search band.
     pub with_surface: u64,
     /// Most of the seen samples of its surface follow one trend.
@@ -60,6 +62,7 @@ impl FittedFace {
         model: &EvidenceModel,
         interrupt: Interrupt,
     ) -> Result<Vec<Self>> {
+        let is_expected = e.samples.expects();
         let face = |face: usize| {
             poll(interrupt)?;
             let smooth_surface = e.samples.surface_of_face[face];
@@ -80,6 +83,7 @@ impl FittedFace {
                 smooth_surface,
                 kind,
                 samples: shares.samples,
+                is_expected: is_expected(face),
                 with_surface,
                 coherent,
                 deviation: location.map(with_sd),

@@ -6,7 +6,7 @@ use super::body::{EvidenceBody, mass_of};
 use super::reading::SampleReading;
 use super::station_shares::StationShares;
 use crate::evidence::{LogCommonality, Mass};
-use crate::geometry::{FaceKind, Vec3};
+use crate::geometry::Vec3;
 use crate::num::sort::sort;
 use crate::verify::evidence::{Evidence, SampleBlock};
 use crate::verify::model::EvidenceModel;
@@ -90,6 +90,8 @@ impl Observations {
 /// What was read so far, in the order of the samples.
 struct ObservationsBuilder<'a> {
     evidence: &'a Evidence,
+    /// By face.
+    is_expected: Vec<bool>,
     model: &'a EvidenceModel,
     reading: SampleReading,
     seen: Vec<SeenSample>,
@@ -101,8 +103,10 @@ struct ObservationsBuilder<'a> {
 
 impl<'a> ObservationsBuilder<'a> {
     fn new(evidence: &'a Evidence, model: &'a EvidenceModel) -> Self {
+        let faces = 0..evidence.samples.normals.len();
         Self {
             evidence,
+            is_expected: faces.map(evidence.samples.expects()).collect(),
             model,
             reading: SampleReading::default(),
             seen: Vec::new(),
@@ -116,8 +120,8 @@ impl<'a> ObservationsBuilder<'a> {
     fn add_block(&mut self, b: usize, block: &SampleBlock, interrupt: Interrupt) -> Result<()> {
         let (samples, face) = (&self.evidence.samples, block.face as usize);
         // A leaf that stands elsewhere and a pane that beams pass are not expected to be seen.
-        let is_fixed = samples.kinds[face] == FaceKind::Fixed;
-        self.stations_of_face[face].samples += if is_fixed { u64::from(block.len) } else { 0 };
+        let is_expected = self.is_expected[face];
+        self.stations_of_face[face].samples += if is_expected { u64::from(block.len) } else { 0 };
         let stations = self.evidence.stations_of_block(b);
         if stations.is_empty() {
             return Ok(());
@@ -126,7 +130,7 @@ impl<'a> ObservationsBuilder<'a> {
             let at = block.start as usize + i;
             self.reading.read(&stations, i, &samples.position(at), &samples.normals[face], self.model);
             if self.reading.seen {
-                self.stations_of_face[face].samples += u64::from(!is_fixed);
+                self.stations_of_face[face].samples += u64::from(!is_expected);
                 self.seen.grow(1, interrupt)?;
                 self.bodies.grow(self.reading.bodies.len(), interrupt)?;
                 self.push(samples.positions[at], block.face);

@@ -161,6 +161,7 @@ mod tests {
 
     fn face(normal: Vec3, deviation: f64, samples: u64) -> FittedFace {
         FittedFace {
+            is_expected: true,
             kind: FaceKind::Fixed,
             normal,
             smooth_surface: 0,

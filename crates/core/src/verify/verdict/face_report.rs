@@ -47,7 +47,7 @@ impl FaceReport {
 }
 
 fn count(number: usize, fitted: &FittedObject, model: &EvidenceModel, interrupt: Interrupt) -> Result<Counts> {
-    let FittedFace { samples, with_surface, kind, .. } = fitted.faces[number];
+    let FittedFace { samples, with_surface, kind, is_expected, .. } = fitted.faces[number];
     let mut counts = Counts { samples, with_surface, ..Counts::default() };
     let tolerance = model.question.tolerance();
     let observations = &fitted.observations;
@@ -61,11 +61,12 @@ fn count(number: usize, fitted: &FittedObject, model: &EvidenceModel, interrupt:
         let refuted = moved || mass.empty >= model.question.confidence;
         // Where a pane was met is not known well enough to displace it, and beside a leaf its stop or threshold is met.
         if kind != FaceKind::Fixed && (refuted || is_off) {
-            counts.samples = counts.samples.saturating_sub(1);
+            counts.samples = counts.samples.saturating_sub(u64::from(!is_expected));
             continue;
         }
         counts.seen += 1;
-        counts.conflict += f64::from(s.conflict);
+        // One station sees through a pane that another meets.
+        counts.conflict += if kind == FaceKind::Fixed { f64::from(s.conflict) } else { 0.0 };
         counts.refuted += u64::from(refuted);
         counts.pierced += u64::from(refuted && !on_surface.is_some());
         counts.confirmed += u64::from(!refuted && mass.occupied >= model.question.confidence);
