@@ -26,7 +26,8 @@ pub fn kept(scene: &Scene, number: usize, sample: &Sample, is_shared: bool) -> K
         let both_sides = !scene.layout.objects[number].is_closed;
         let look = Look { scene, view: scene.view(i), eye: station.place, both_sides };
         let Some(sight) = look.towards(&sample.place, &sample.normal) else { continue };
-        let (order, kept) = of_station(&look, &sight, is_shared, objects);
+        let is_pane = scene.layout.objects[number].transparent[sample.triangle];
+        let (order, kept) = of_station(&look, &sight, [is_shared, is_pane], objects);
         let is_nearer = order == 4 && best.0 == 4 && sight.range < nearest;
         if order < best.0 || is_nearer {
             (best, nearest) = ((order, kept), sight.range);
@@ -35,13 +36,15 @@ pub fn kept(scene: &Scene, number: usize, sample: &Sample, is_shared: bool) -> K
     best.1
 }
 
-fn of_station(look: &Look<'_>, sight: &Sight, is_shared: bool, objects: u32) -> (u8, Kept) {
+fn of_station(look: &Look<'_>, sight: &Sight, [is_shared, is_pane]: [bool; 2], objects: u32) -> (u8, Kept) {
     let plain = |why| Kept { why, by: None };
     match look.outcome(sight) {
         Outcome::Hidden(by) if by < objects => (4, Kept { why: Why::HiddenByObject, by: Some(by) }),
         Outcome::Hidden(_) => (4, plain(Why::HiddenByOther)),
         _ if sight.cos < MAX_INCIDENCE.cos() => (3, plain(Why::TooSteep)),
         Outcome::There | Outcome::Past if is_shared => (0, plain(Why::SharedFace)),
+        // Whether it stands there or not.
+        Outcome::Through if is_pane => (2, plain(Why::NoReturn)),
         Outcome::There | Outcome::Past | Outcome::Through => (1, plain(Why::TooFew)),
         Outcome::Nothing => (2, plain(Why::NoReturn)),
     }
