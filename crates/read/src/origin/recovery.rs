@@ -47,8 +47,11 @@ mod tests {
                 eprintln!("SKIPPED: {} is not there", file.display());
                 continue;
             }
-            read_scans(&file, &ReadOptions::default(), &ProgressBar::hidden(), &mut |scan| Ok(scans.push(scan)))
-                .unwrap();
+            read_scans(&file, &ReadOptions::default(), &ProgressBar::hidden(), &mut |scan| {
+                scans.push(scan);
+                Ok(())
+            })
+            .unwrap();
         }
         for scan in scans.iter().filter(|scan| scan.world_from_scan.is_some()) {
             let away = Vec3::new(3.0, -2.0, 1.0);

@@ -222,7 +222,12 @@ mod tests {
         };
         let mut out = Vec::new();
         let mut settler = Settler::new(&options).unwrap();
-        settler.settle(scan, &mut |scan| Ok(out.push(scan))).unwrap();
+        settler
+            .settle(scan, &mut |scan| {
+                out.push(scan);
+                Ok(())
+            })
+            .unwrap();
         assert!(out[0].world_from_scan.is_none() && out[0].origin_source.is_none() && out[0].content.len() == 1);
         assert!((out[0].anchor + out[0].content.beams[0].offset - Vec3::new(12.5, 0.0, 0.0)).norm() < 1e-12);
         assert!(out[0].notes[0].contains("--origins none"), "{:?}", out[0].notes);
