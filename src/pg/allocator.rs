@@ -170,15 +170,24 @@ fn taken(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
     if p.is_null() { retried(bytes, alloc) } else { p }
 }
 
+/// The same, counted where it was given. To count may take a new ballast: before, that would use up the room which a
+/// caller has just been told of.
+#[inline]
+fn counted(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
+    let p = taken(bytes, alloc);
+    if !p.is_null() {
+        count(weight(bytes));
+    }
+    p
+}
+
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        count(weight(layout.size()));
-        taken(layout.size(), || unsafe { System.alloc(layout) })
+        counted(layout.size(), || unsafe { System.alloc(layout) })
     }
 
     unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        count(weight(layout.size()));
-        taken(layout.size(), || unsafe { System.alloc_zeroed(layout) })
+        counted(layout.size(), || unsafe { System.alloc_zeroed(layout) })
     }
 
     unsafe fn dealloc(&self, p: *mut u8, layout: Layout) {

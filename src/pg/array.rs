@@ -1,6 +1,6 @@
 //! PostgreSQL arrays of plain numbers.
 
-use asbuilt_core::{Error, Grow, Result};
+use asbuilt_core::{Budget, Error, Result};
 use pgrx::pg_sys;
 
 use super::memory::Backend;
@@ -29,11 +29,9 @@ pub unsafe fn read<T: Copy>(datum: pg_sys::Datum, what: &'static str) -> Result<
             0 => header.next_multiple_of(8),
             o => o as usize,
         };
-        let mut values = Vec::new();
-        values.grow(count, &Backend)?;
+        Backend.room(count * size_of::<T>())?;
         let data = array.cast::<u8>().add(offset).cast::<T>();
-        values.extend((0..count).map(|i| data.add(i).read_unaligned()));
-        Ok((dims, values))
+        Ok((dims, (0..count).map(|i| data.add(i).read_unaligned()).collect()))
     }
 }
 
@@ -61,10 +59,8 @@ pub unsafe fn read_varlenas<'a>(datum: pg_sys::Datum, what: &'static str) -> Res
 pub fn triples<T: Copy>(dims: &[i32], values: &[T], what: &'static str) -> Result<Vec<[T; 3]>> {
     match dims {
         [] | [_, 3] => {
-            let mut rows = Vec::new();
-            rows.grow(values.len() / 3, &Backend)?;
-            rows.extend_from_slice(values.as_chunks().0);
-            Ok(rows)
+            Backend.room(size_of_val(values))?;
+            Ok(values.as_chunks().0.to_vec())
         }
         _ => Err(Error::argument(what, "an array of n x 3 numbers", shape(dims))),
     }

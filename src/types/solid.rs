@@ -1,7 +1,7 @@
 //! `ab_solid`: core's byte form as it is, on disk and on the wire; in hexadecimal as text.
 
 use asbuilt_core::geometry::{Aabb, Closedness, Solid, SolidHeader, SurfaceKind, Vec3};
-use asbuilt_core::{Error, Grow, Result};
+use asbuilt_core::{Error, Result};
 
 use super::box_bytes;
 use super::hex::{hex_in, hex_out};
@@ -27,10 +27,7 @@ impl SolidArg<'_> {
 
 /// A solid of arrays, without parts.
 pub fn from_arrays(vertices: &F64Array, triangles: &I32Array) -> Result<Solid> {
-    let rows = vertices.triples("the solid's vertices")?;
-    let mut vertices: Vec<Vec3> = Vec::new();
-    vertices.grow(rows.len(), &Backend)?;
-    vertices.extend(rows.into_iter().map(Vec3::from));
+    let vertices: Vec<Vec3> = vertices.triples("the solid's vertices")?.into_iter().map(Vec3::from).collect();
     let triangles = triangles.triples("the solid's triangles")?;
     for (t, tri) in triangles.iter().enumerate() {
         if let Some(&i) = tri.iter().find(|&&i| i < 0) {
