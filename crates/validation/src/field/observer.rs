@@ -45,7 +45,7 @@ pub struct Truth {
     pub beams_on: f64,
     /// Beams that go through its drawn place, and return from farther behind.
     pub beams_through: f64,
-    /// Beams that end behind its drawn place by more than it may be off itself, however little.
+    /// Beams that end behind its drawn place by less than that, and by more than it may be off itself.
     pub beams_past: f64,
     /// Who stands before its drawn place as seen from the station nearest to it, where no station sees it.
     pub hidden_by: Option<u32>,
@@ -90,10 +90,7 @@ fn truth(scene: &Scene, number: usize, sample: &Sample) -> Truth {
         let look = Look { scene, view: scene.view(i), eye: station.place, both_sides: !object.is_closed };
         let Some(sight) = look.at(&sample.place, &sample.normal, out.glass) else { continue };
         match look.outcome(&sight) {
-            Outcome::Through => {
-                out.beams_through += look.beams(&sight, sample.area);
-                out.beams_past += look.beams(&sight, sample.area);
-            }
+            Outcome::Through => out.beams_through += look.beams(&sight, sample.area),
             Outcome::Past => out.beams_past += look.beams(&sight, sample.area),
             Outcome::Hidden(by) if sight.range < nearest => {
                 (nearest, out.hidden_by) = (sight.range, Some(by));

@@ -76,7 +76,7 @@ pub fn right(object: &Object, fate: &Fate, (truths, returns): (&[Truth], usize),
         }
         Deed::AsDrawn | Deed::Displaced => {
             out.beams = own.iter().map(|t| t.beams_on).sum::<f64>().min(returns as f64);
-            let past = truths.iter().filter(|t| t.beams_past > 0.0).count() as f64 / base;
+            let past = truths.iter().filter(|t| t.beams_through + t.beams_past > 0.0).count() as f64 / base;
             let is_displaced = fate.displaced.norm() > 0.0;
             out.built(&own, tolerance, border, is_displaced && past >= MAY_SEE);
             out.laid_bare(truths, base, tolerance, border);

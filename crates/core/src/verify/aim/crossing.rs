@@ -19,9 +19,6 @@ use crate::{Interrupt, Result, poll};
 /// and less than what stands behind it.
 const MET_M: f64 = 0.03;
 
-/// What comes before a division in a comparison, where rounding must not decide.
-const NEARLY: f64 = 1.0 + 1e-12;
-
 /// Where one beam crosses the solid first.
 #[derive(Debug, Clone, Copy)]
 pub struct BeamCrossing {
@@ -132,19 +129,17 @@ impl Nearest {
             for slot in slots {
                 let d = &view.directions[slot];
                 let slope = d.dot(&normal);
-                // Nothing is nearer that is not nearer than this by far more than rounding: most beams end here.
-                if slope >= 0.0 || height * side < self.distance[slot].min(reach) * slope * NEARLY {
+                let distance = height * side / slope;
+                // Most beams end here: the plane is behind them, or something nearer before it.
+                if slope >= 0.0 || distance >= self.distance[slot] || distance > reach {
                     continue;
                 }
                 if d.dot(&edges[0]) > 0.0 || d.dot(&edges[1]) > 0.0 || d.dot(&edges[2]) > 0.0 {
                     continue;
                 }
-                let distance = height * side / slope;
-                if distance < self.distance[slot] && distance <= reach {
-                    self.distance[slot] = distance;
-                    self.triangle[slot] = t as u32;
-                    self.from_behind[slot] = side < 0.0;
-                }
+                self.distance[slot] = distance;
+                self.triangle[slot] = t as u32;
+                self.from_behind[slot] = side < 0.0;
             }
         }
     }

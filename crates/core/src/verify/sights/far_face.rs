@@ -127,7 +127,9 @@ impl FarFaces<'_> {
                 nearest = met.or(nearest);
             }
         }
-        nearest.map(|(_, met)| met)
+        // What stands before a face that another object covers is rather that object, displaced.
+        let is_covered = || (self.looked.is_anothers)(&place_world, normal, COVERED_M);
+        nearest.map(|(_, met)| met).filter(|met| met.height <= 0.0 || !is_covered())
     }
 
     /// How far in front of a place along `normal` the beam ended that a station sent there, metres, and which beam it was;
@@ -141,10 +143,6 @@ impl FarFaces<'_> {
         let met = beam.met()?;
         let height = (met - place_scanner).dot(normal);
         if height.abs() > self.looked.model.reach {
-            return None;
-        }
-        // What stands before a face that another object covers is rather that object, displaced.
-        if height > 0.0 && (self.looked.is_anothers)(place_world, normal, COVERED_M) {
             return None;
         }
         let within = (height.abs() / RATHER).min(CLAIMED_M);
