@@ -56,6 +56,8 @@ pub struct Report {
     folder: PathBuf,
     tallies: Vec<(&'static str, Tally)>,
     seen: BTreeSet<(Kind, String)>,
+    /// A line for each of `seen`, told once more at the end: of a long log often only the end is kept.
+    lines: Vec<String>,
     started: Instant,
     /// The longest time from a cancel to the end of its statement.
     pub slowest_cancel: Duration,
@@ -66,7 +68,7 @@ impl Report {
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).expect("a folder for the findings");
         let started = Instant::now();
-        Self { seed, folder, tallies: vec![], seen: BTreeSet::new(), started, slowest_cancel: Duration::ZERO }
+        Self { seed, folder, tallies: vec![], seen: BTreeSet::new(), lines: vec![], started, slowest_cancel: Duration::ZERO }
     }
 
     /// Opens the account of a piece; what follows is recorded there.
@@ -110,6 +112,8 @@ impl Report {
         let seed = self.seed;
         let whole = format!("-- {kind:?} [{key}] piece {piece}, seed {seed}\n-- {}\n{statement}\n", one_line(detail));
         let _ = std::fs::write(&file, whole);
+        let line = format!("FINDING {kind:?} in {piece} [{key}], seed {seed}: {}", shortened(detail, 400));
+        self.lines.push(line.clone());
         let n = self.seen.iter().filter(|(k, _)| *k == kind).count();
         if n > MAX_SHOWN {
             if n == MAX_SHOWN + 1 {
@@ -117,7 +121,7 @@ impl Report {
             }
             return;
         }
-        println!("FINDING {kind:?} in {piece} [{key}], seed {seed}: {}", shortened(detail, 400));
+        println!("{line}");
         println!("    {}", shortened(statement, 700));
         println!("    whole: {}", file.display());
     }
@@ -143,6 +147,9 @@ impl Report {
             self.seen.len(),
             self.slowest_cancel.as_millis()
         );
+        for line in self.lines.iter().take(MAX_SHOWN) {
+            println!("{line}");
+        }
         found == 0
     }
 }
