@@ -2,12 +2,15 @@
 //!
 //! A Rust program that finds no memory aborts, and an aborted backend takes every session with it. An allocator may
 //! neither unwind nor report (`GlobalAlloc`'s contract), so this one gives up a ballast instead, and the next poll (see
-//! [`super::memory`]) raises PostgreSQL's own error 53200.
+//! [`super::memory`]) raises PostgreSQL's own error 53200. Where the ballast is not enough, this session alone ends.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::ptr::null_mut;
-use std::sync::atomic::{AtomicIsize, AtomicPtr, AtomicUsize, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicIsize, AtomicPtr, AtomicUsize, Ordering::Relaxed};
+use std::time::Duration;
+
+use super::memory::end_session;
 
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
@@ -26,8 +29,15 @@ static REFUSED: AtomicUsize = AtomicUsize::new(0);
 /// Given up when the system has nothing else: enough for what the work takes until it next polls.
 static BALLAST: AtomicPtr<u8> = AtomicPtr::new(null_mut());
 const BALLAST_LAYOUT: Layout = Layout::new::<[u8; 64 << 20]>();
+/// Given up when the session ends for want of memory: enough for its last message.
+static LAST_WORDS: AtomicPtr<u8> = AtomicPtr::new(null_mut());
+const LAST_WORDS_LAYOUT: Layout = Layout::new::<[u8; 256 << 10]>();
+/// A thread beside the main one waits for memory that nobody gives back.
+static STUCK: AtomicBool = AtomicBool::new(false);
+/// How long it waits for what the other threads free on their way out.
+const PATIENCE: Duration = Duration::from_secs(2);
 /// The ballast is held from this many bytes on: a session that asks little of asbuilt carries none.
-const BALLAST_FROM: isize = 4 << 20;
+const BALLAST_FROM: isize = 1 << 20;
 
 /// Smaller pieces are not counted: a mass or a point then costs nothing extra, and hardly anything large is made of
 /// pieces this small.
@@ -77,8 +87,11 @@ pub fn refusal() -> Option<usize> {
     Some(REFUSED.load(Relaxed)).filter(|&bytes| bytes > 0)
 }
 
-/// Whether the system can give this much at once.
+/// Whether the system can give this much at once, and the ballast beside it.
 pub fn has_room(bytes: usize) -> bool {
+    if live().saturating_add_unsigned(bytes) > BALLAST_FROM && !hold_ballast() {
+        return false;
+    }
     let Ok(layout) = Layout::array::<u8>(bytes.max(1)) else { return false };
     let p = unsafe { System.alloc(layout) };
     if !p.is_null() {
@@ -110,8 +123,9 @@ fn count(bytes: isize) {
 #[cold]
 fn settle() {
     flush();
-    if LIVE.load(Relaxed) > BALLAST_FROM && BALLAST.load(Relaxed).is_null() && refusal().is_none() {
-        hold_ballast();
+    if LIVE.load(Relaxed) > BALLAST_FROM && BALLAST.load(Relaxed).is_null() && refusal().is_none() && !hold_ballast() {
+        // Without one, the next allocation might be the last.
+        REFUSED.store(BALLAST_LAYOUT.size(), Relaxed);
     }
 }
 
@@ -142,25 +156,62 @@ pub fn give_back(worth: usize) {
     }
 }
 
+/// Whether there is a ballast now.
 #[cold]
-fn hold_ballast() {
-    if BALLAST.load(Relaxed).is_null() {
-        let fresh = unsafe { System.alloc(BALLAST_LAYOUT) };
-        if BALLAST.compare_exchange(null_mut(), fresh, Relaxed, Relaxed).is_err() && !fresh.is_null() {
-            unsafe { System.dealloc(fresh, BALLAST_LAYOUT) };
+fn hold_ballast() -> bool {
+    hold(&LAST_WORDS, LAST_WORDS_LAYOUT) && hold(&BALLAST, BALLAST_LAYOUT)
+}
+
+fn hold(place: &AtomicPtr<u8>, layout: Layout) -> bool {
+    if place.load(Relaxed).is_null() {
+        let fresh = unsafe { System.alloc(layout) };
+        if place.compare_exchange(null_mut(), fresh, Relaxed, Relaxed).is_err() && !fresh.is_null() {
+            unsafe { System.dealloc(fresh, layout) };
         }
+    }
+    !place.load(Relaxed).is_null()
+}
+
+fn give_up(place: &AtomicPtr<u8>, layout: Layout) {
+    let held = place.swap(null_mut(), Relaxed);
+    if !held.is_null() {
+        unsafe { System.dealloc(held, layout) };
     }
 }
 
-/// Gives up the ballast and tries once more.
+/// Gives up the ballast and tries once more. Null is what Rust aborts at, and an abort would take every session along:
+/// the main thread then ends its own; another waits for what the rest frees, as all stop at their next poll.
 #[cold]
 fn retried(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
     REFUSED.store(bytes.max(1), Relaxed);
-    let ballast = BALLAST.swap(null_mut(), Relaxed);
-    if !ballast.is_null() {
-        unsafe { System.dealloc(ballast, BALLAST_LAYOUT) };
+    give_up(&BALLAST, BALLAST_LAYOUT);
+    let p = alloc();
+    if !p.is_null() {
+        return p;
     }
-    alloc()
+    if is_main_thread() {
+        give_up(&LAST_WORDS, LAST_WORDS_LAYOUT);
+        end_session(bytes);
+        return null_mut();
+    }
+    let since = std::time::Instant::now();
+    loop {
+        std::thread::sleep(Duration::from_millis(10));
+        let p = alloc();
+        if !p.is_null() {
+            return p;
+        }
+        STUCK.store(since.elapsed() > PATIENCE, Relaxed);
+    }
+}
+
+/// Whether a thread waits for memory in vain.
+pub fn is_stuck() -> bool {
+    STUCK.load(Relaxed)
+}
+
+fn is_main_thread() -> bool {
+    unsafe { libc::gettid() == libc::getpid() }
 }
 
 /// What `alloc` returns, at the second attempt if need be.

@@ -229,6 +229,11 @@ impl Args {
         unsafe { array::read_varlenas(self.datum(i), what) }
     }
 
+    /// Dimensions of an array.
+    pub(super) fn dims(&self, i: usize) -> Vec<i32> {
+        unsafe { array::dims(self.datum(i)) }
+    }
+
     /// Dimensions and elements of a `float8[]`.
     pub(super) fn f64_array(&self, i: usize, what: &'static str) -> Result<(Vec<i32>, Vec<f64>)> {
         unsafe { array::read(self.datum(i), what) }

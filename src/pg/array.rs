@@ -11,6 +11,17 @@ pub fn shape(dims: &[i32]) -> String {
     if words.is_empty() { "an empty array".into() } else { format!("an array of {} elements", words.join(" x ")) }
 }
 
+/// Dimensions of an array.
+///
+/// # Safety
+/// `datum` must be an array.
+pub unsafe fn dims(datum: pg_sys::Datum) -> Vec<i32> {
+    unsafe {
+        let array = pg_sys::pg_detoast_datum(datum.cast_mut_ptr()).cast::<pg_sys::ArrayType>();
+        std::slice::from_raw_parts(array.add(1).cast::<i32>(), (*array).ndim as usize).to_vec()
+    }
+}
+
 /// Dimensions and elements of an array of fixed-length plain numbers, in storage order.
 ///
 /// # Safety

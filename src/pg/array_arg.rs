@@ -64,8 +64,13 @@ impl F64Array<'_> {
     }
 
     /// How many dimensions it has.
-    pub fn dimensions(&self, what: &'static str) -> Result<usize> {
-        Ok(self.0.f64_array(self.1, what)?.0.len())
+    pub fn dimensions(&self) -> usize {
+        self.0.dims(self.1).len()
+    }
+
+    /// How many rows, before any of them is read.
+    pub fn rows(&self) -> usize {
+        self.0.dims(self.1).first().map_or(0, |&n| n as usize)
     }
 }
 
@@ -73,6 +78,11 @@ impl I32Array<'_> {
     /// `N` numbers in one dimension.
     pub fn vector<const N: usize>(&self, what: &'static str) -> Result<[i32; N]> {
         self.0.i32_vector(self.1, what)
+    }
+
+    /// How many rows, before any of them is read.
+    pub fn rows(&self) -> usize {
+        self.0.dims(self.1).first().map_or(0, |&n| n as usize)
     }
 
     /// Any number of them in one dimension.

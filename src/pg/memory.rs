@@ -3,13 +3,14 @@
 //! All live memory of a backend is counted ([`super::allocator`]). A call whose memory a setting limits opens that
 //! setting's account; what is taken until it closes, and what its aggregate states free later, is booked on it.
 
-use std::sync::atomic::{AtomicI64, AtomicIsize, AtomicUsize, Ordering::Relaxed};
+use std::sync::atomic::{AtomicBool, AtomicI64, AtomicIsize, AtomicUsize, Ordering::Relaxed};
 
 use asbuilt_core::error::MemoryOf;
 use asbuilt_core::{Budget, Error, Result};
+use pgrx::PgLogLevel;
 
 use super::allocator;
-use crate::settings;
+use crate::{error, settings};
 
 /// Whose memory it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -145,7 +146,27 @@ fn poll_memory() -> Result<()> {
 /// The system is asked too, so that memory is not refused later to code that cannot handle a refusal.
 fn room(bytes: usize) -> Result<()> {
     check(bytes)?;
-    if allocator::has_room(bytes) { Ok(()) } else { Err(Error::OutOfMemory { bytes }) }
+    if allocator::refusal().is_none() && allocator::has_room(bytes) {
+        Ok(())
+    } else {
+        Err(Error::OutOfMemory { bytes })
+    }
+}
+
+/// The last resort, on the main thread: this session ends with 53200, and the others live. Returns only where it is
+/// already ending.
+pub fn end_session(bytes: usize) {
+    static ENDING: AtomicBool = AtomicBool::new(false);
+    if !ENDING.swap(true, Relaxed) {
+        error::report(&Error::OutOfMemory { bytes }, "asbuilt").report(PgLogLevel::FATAL);
+    }
+}
+
+/// While other threads work: ends the session where one of them waits for memory that nobody frees.
+pub fn end_if_stuck() {
+    if let Some(bytes) = allocator::refusal().filter(|_| allocator::is_stuck()) {
+        end_session(bytes);
+    }
 }
 
 impl Budget for Backend {

@@ -13,7 +13,7 @@ use asbuilt_core::{Error, Result};
 use pgrx::pg_sys;
 
 use super::interrupt::{client_is_here, look_for_client, serve};
-use super::memory::{Backend, Helper};
+use super::memory::{Backend, Helper, end_if_stuck};
 
 thread_local! {
     /// The backend's pool, asleep between calls: pools made for every call would leave memory behind.
@@ -51,7 +51,10 @@ impl WorkerPool {
             loop {
                 match told.recv_timeout(LOOK) {
                     Ok(outcome) => break Some(outcome),
-                    Err(RecvTimeoutError::Timeout) => look_for_client(),
+                    Err(RecvTimeoutError::Timeout) => {
+                        look_for_client();
+                        end_if_stuck();
+                    }
                     // The work panicked, and the scope will go on with that.
                     Err(RecvTimeoutError::Disconnected) => break None,
                 }

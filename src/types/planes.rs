@@ -1,5 +1,6 @@
 //! Intensity and colour as SQL gives them.
 
+use asbuilt_core::scan::check_count;
 use asbuilt_core::{Error, Result};
 
 use crate::pg::I32Array;
@@ -7,12 +8,14 @@ use crate::pg::I32Array;
 /// Intensities.
 pub fn intensity(values: Option<&I32Array>) -> Result<Option<Vec<u16>>> {
     let Some(values) = values else { return Ok(None) };
+    check_count(values.rows())?;
     values.list("the intensities")?.into_iter().map(one_intensity).collect::<Result<_>>().map(Some)
 }
 
 /// Colours: n x 3.
 pub fn colour(values: Option<&I32Array>) -> Result<Option<Vec<[u8; 3]>>> {
     let Some(values) = values else { return Ok(None) };
+    check_count(values.rows())?;
     values.triples("the colours")?.into_iter().map(one_colour).collect::<Result<_>>().map(Some)
 }
 

@@ -41,8 +41,8 @@ fn from_arrays(
 ) -> Result<Patch> {
     let (origins, starts) = origins(origin)?;
     let (origin, station, quantum) = (starts[0], given.station, given.quantum);
+    check_count(points.rows())?;
     let points = points.triples("the points")?;
-    check_count(points.len())?;
     if origins == Origins::Each && starts.len() != points.len() {
         let given = format!("{} for {} points", starts.len(), points.len());
         return Err(Error::argument("the origins", "one, or one for every point", given));
@@ -56,8 +56,8 @@ fn from_arrays(
         content.starts = Some(starts.iter().map(|s| s - origin).collect());
     }
     if let Some(directions) = no_return {
+        check_count(content.len() + directions.rows())?;
         let directions = directions.triples("the directions without return")?;
-        check_count(content.len() + directions.len())?;
         if origins == Origins::Each {
             return Err(Error::argument("beams without return", "of one origin", "of several"));
         }
@@ -69,18 +69,18 @@ fn from_arrays(
 
 /// One origin, or as many as the array has rows; at least one.
 fn origins(array: &F64Array) -> Result<(Origins, Vec<Vec3>)> {
-    if array.dimensions("the origin")? < 2 {
+    if array.dimensions() < 2 {
         return Ok((Origins::One, vec![array.vector::<3>("the origin")?.into()]));
     }
+    check_count(array.rows())?;
     let starts = array.triples("the origins")?;
-    check_count(starts.len())?;
     let starts: Vec<Vec3> = starts.into_iter().map(Vec3::from).collect();
     if starts.is_empty() { Err(Error::Empty { what: "the list of origins" }) } else { Ok((Origins::Each, starts)) }
 }
 
 fn cloud(points: &F64Array, spacing: Option<f64>, given: &PatchOptions) -> Result<Patch> {
+    check_count(points.rows())?;
     let points = points.triples("the points")?;
-    check_count(points.len())?;
     let points: Vec<Vec3> = points.into_iter().map(Vec3::from).collect();
     let origin = points.first().map_or_else(Vec3::zeros, |p| p.map(f64::round));
     let mut content = Beams::of(points.iter().map(|p| Beam { offset: p - origin, returned: true }).collect());

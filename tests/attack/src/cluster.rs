@@ -83,6 +83,20 @@ impl Cluster {
         assert!(status.success(), "pg_ctl {command} failed; see {}/server.log", self.dir.display());
     }
 
+    /// Leaves one process this much more address space than it has. By the server's user: another's limits are not
+    /// root's to set where root is without its capabilities.
+    pub fn limit_addresses(&self, pid: i32, more: u64) {
+        let pages = std::fs::read_to_string(format!("/proc/{pid}/statm")).expect("the backend's size");
+        let size: u64 = pages.split_whitespace().next().unwrap().parse().unwrap();
+        let limit = format!("--as={}", (size * 4096 + more).min(self.ulimit_kb * 1024));
+        let mut c = if is_root() { Command::new("runuser") } else { Command::new("prlimit") };
+        if is_root() {
+            c.args(["-u", "postgres", "--", "prlimit"]);
+        }
+        let status = c.args(["--pid", &pid.to_string(), &limit]).status().expect("prlimit");
+        assert!(status.success(), "prlimit {limit} failed");
+    }
+
     pub fn socket_dir(&self) -> &Path {
         &self.dir
     }

@@ -100,7 +100,9 @@ fn main() {
     println!("attack: {form}, seed {}", plan.seed);
     let mut report = Report::new(plan.seed, cluster::root().join("target/attack/findings"));
     through_sql(&plan, &mut report);
-    piece(&plan, &mut report, "memory", |r| memory::run(r, plan.short, plan.seconds("memory")));
+    piece(&plan, &mut report, "memory", |r| {
+        memory::run(r, &mut plan.rng("memory", 0), plan.short, plan.seconds("memory"))
+    });
     piece(&plan, &mut report, "hijack", hijack::run);
     piece(&plan, &mut report, "files", |r| files::run(r, &mut plan.rng("files", 0), plan.short, plan.seconds("files")));
     piece(&plan, &mut report, "fuzz", |r| fuzz::run(r, plan.short, plan.seconds("fuzz")));

@@ -3,6 +3,9 @@
 
 use std::time::Duration;
 
+use rand::Rng;
+use rand_chacha::ChaCha8Rng;
+
 use crate::catalogue::Catalogue;
 use crate::cluster::{Cluster, SMALL_KB};
 use crate::report::{Kind, Report};
@@ -156,9 +159,9 @@ fn is_refusal(code: &str) -> bool {
     matches!(code, "53200" | "54000" | "57014") || code.starts_with("22") || code.starts_with("driver")
 }
 
-pub fn run(report: &mut Report, short: bool, seconds: f64) {
+pub fn run(report: &mut Report, rng: &mut ChaCha8Rng, short: bool, seconds: f64) {
     // The short form has less of everything: the end of memory comes within a second or two.
-    let ulimit_kb = set_limit_kb().unwrap_or(if short { SMALL_KB / 3 } else { SMALL_KB });
+    let ulimit_kb = if short { SMALL_KB / 3 } else { SMALL_KB };
     let mut cluster = Cluster::start("memory", ulimit_kb, "max_parallel_workers_per_gather = 0");
     let mut client = cluster.database("attack");
     client.batch_execute(TABLES).expect("the tables of the heavy calls");
@@ -172,6 +175,7 @@ pub fn run(report: &mut Report, short: bool, seconds: f64) {
     for call in 0..calls {
         for heavy in HEAVY {
             one(&mut s, heavy);
+            at_another_end(&mut s, rng, heavy);
         }
         if began.elapsed().as_secs_f64() > seconds && !short {
             println!("attack: memory: {} of {calls} calls of each heavy function in the time given", call + 1);
@@ -187,9 +191,14 @@ pub fn run(report: &mut Report, short: bool, seconds: f64) {
     }
 }
 
-/// Another address space than usual: where exactly memory ends decides which allocation is the one refused.
-fn set_limit_kb() -> Option<u64> {
-    std::env::var("ATTACK_MEMORY_KB").ok()?.parse().ok()
+/// The call again where memory ends elsewhere: which allocation is the one refused depends on that alone.
+fn at_another_end(s: &mut Session, rng: &mut ChaCha8Rng, heavy: &(&str, bool, &str)) {
+    s.set_up("LOAD '$libdir/asbuilt'");
+    // As often below what the ballast takes as above it.
+    let megabytes = 2f64.powf(rng.random_range(2.0..9.0));
+    s.leave_memory((megabytes * 1048576.0) as u64);
+    one(s, heavy);
+    s.set_up("");
 }
 
 fn one(s: &mut Session, (name, _, sql): &(&str, bool, &str)) {

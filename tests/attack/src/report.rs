@@ -68,7 +68,15 @@ impl Report {
         let _ = std::fs::remove_dir_all(&folder);
         std::fs::create_dir_all(&folder).expect("a folder for the findings");
         let started = Instant::now();
-        Self { seed, folder, tallies: vec![], seen: BTreeSet::new(), lines: vec![], started, slowest_cancel: Duration::ZERO }
+        Self {
+            seed,
+            folder,
+            tallies: vec![],
+            seen: BTreeSet::new(),
+            lines: vec![],
+            started,
+            slowest_cancel: Duration::ZERO,
+        }
     }
 
     /// Opens the account of a piece; what follows is recorded there.

@@ -90,6 +90,12 @@ impl<'a> Session<'a> {
         self.pid
     }
 
+    /// Leaves the connection this much more address space than it has, by a limit that holds to its end.
+    pub fn leave_memory(&mut self, bytes: u64) {
+        let pid = self.pid();
+        self.cluster.limit_addresses(pid, bytes);
+    }
+
     /// Runs `work` under the watch and records the result. `key` names the attack: one that brought the server
     /// down is not repeated.
     fn run<T>(
@@ -130,6 +136,9 @@ impl<'a> Session<'a> {
             return self.crashed(key, statement);
         }
         self.report.error(&code);
+        if db.severity() == "FATAL" {
+            self.client = None;
+        }
         let told = format!("{} {} {}", db.message(), db.detail().unwrap_or(""), db.hint().unwrap_or(""));
         if std::env::var("ATTACK_SHOW").is_ok_and(|c| c == code) {
             println!("{code} {told}: {}", crate::report::shortened(statement, 200));
