@@ -47,6 +47,8 @@ pub struct Case {
     pub reason: Option<ReasonSaid>,
     pub shared_with: Option<String>,
     pub stated: Vec<Stated>,
+    /// What the verifier says why, where the verdict is wrong.
+    pub account: Option<String>,
 }
 
 impl Case {
@@ -106,8 +108,13 @@ const HEAD: &str = "scene,model,delivery,is_right,id,class,name,kind,done,dx_mm,
     coverage,confirmed,refuted,open,deviation_mm,deviation_sd_mm,true_deviation_mm,seen_share,empty_share,\
     shared_share,worst_mm,beams,reason,reason_share,largest_share,hider_is_right,hidden_by,shared_with";
 
-/// Writes a line for every case; the wrong ones first.
+/// Writes a line for every case, the wrong ones first; and what is said of those.
 pub fn write(path: &Path, cases: &[Case]) -> Result<()> {
+    for case in cases {
+        if let Some(account) = &case.account {
+            println!("wrong: {} {} {} {}\n{account}", case.delivery.name(), case.id, case.name, case.deed.name());
+        }
+    }
     let mut out = format!("{HEAD}\n");
     for wanted in [false, true] {
         for case in cases.iter().filter(|c| c.is_right() == wanted) {

@@ -96,7 +96,10 @@ fn case(
         allow_silence(&mut right.verdicts);
     }
     let (stated, deviation) = compared(scene, number, evidence, summary)?;
+    let is_wrong = !right.verdicts.contains(&summary.verdict);
+    let explain = || evidence.explain(&evidence.model().question, &VerdictRule::default(), NEVER);
     Ok(Case {
+        account: is_wrong.then(explain).transpose()?,
         scene: scene.plan.number,
         model: scene.plan.name(),
         delivery,

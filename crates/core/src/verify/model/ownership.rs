@@ -40,7 +40,9 @@ pub fn ownership(deviation: f64, other: f64, noise: f64) -> Ownership {
     if (deviation - other).abs() <= as_designed {
         return Ownership::Shared;
     }
-    if RATHER * other.abs() < deviation && deviation > noise.max(HIDDEN_M) {
+    // The other is drawn before the face, and this is where it is drawn or farther out: it would have to be gone.
+    let is_before = 0.0 <= other && other < deviation;
+    if (is_before || RATHER * other.abs() < deviation) && deviation > noise.max(HIDDEN_M) {
         return Ownership::Hides;
     }
     let behind = RATHER * other.abs() < -deviation && -deviation > as_designed;
@@ -64,7 +66,9 @@ mod tests {
             (0.03, f64::INFINITY, Ownership::MayBeOwn),
             (0.03, 0.01, Ownership::Hides),
             (0.03, -0.01, Ownership::Hides),
-            (0.0301, 0.02, Ownership::MayBeOwn),
+            (0.0301, 0.02, Ownership::Hides),
+            (0.03, -0.02, Ownership::MayBeOwn),
+            (0.085, 0.07, Ownership::Hides),
             (0.03, 0.021, Ownership::Shared),
             (0.004, 0.001, Ownership::Shared),
             (-0.05, 0.005, Ownership::SeenThrough),

@@ -22,6 +22,8 @@ const MIN_FOUND_BEFORE: f64 = 0.5;
 const MIN_IN_PLANE: f64 = 0.6;
 /// Fewer samples are no face.
 const MIN_SAMPLES: usize = 10;
+/// Nor is what so few beams met.
+const MIN_BEAMS: usize = 10;
 /// Nor is less than this share of the object's samples.
 const MIN_OF_OBJECT: f64 = 0.03;
 /// Half as thick is a plane that was built, metres.
@@ -202,12 +204,15 @@ fn densest(mut met: Vec<Met>, half: f64) -> Vec<Met> {
     met[best].to_vec()
 }
 
-/// Median height and its standard deviation, metres: the beams' scatter, registration, and that beams meet a face that
+/// Median height and its standard deviation, metres, where enough beams tell: the beams' scatter, registration, and that beams meet a face that
 /// is off beside the place of which they tell.
 fn measured(plane: &[Met], model: &EvidenceModel) -> Option<(f64, f64)> {
     let mut heights: Vec<f64> = plane.iter().map(|m| m.height).collect();
     let (median, spread) = median_and_spread(&mut heights)?;
     let beams: BTreeSet<_> = plane.iter().map(|m| (m.map, m.met_scanner)).collect();
+    if beams.len() < MIN_BEAMS {
+        return None;
+    }
     let random = MEDIAN_SD * spread / (beams.len() as f64).sqrt();
     let maps: BTreeSet<usize> = plane.iter().map(|m| m.map).collect();
     let share = |map: usize| plane.iter().filter(|m| m.map == map).count() as f64 / plane.len() as f64;

@@ -3,7 +3,7 @@
 use super::reason::Reason;
 use super::rule::{Verdict, VerdictRule};
 use super::tally::VerdictTally;
-use super::thresholds::{MIN_CONFIRMED_OF_SEEN, MIN_DECIDED};
+use super::thresholds::{MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_INDEPENDENT};
 use crate::verify::evidence::Evidence;
 use crate::verify::model::{EvidenceModel, Question, measures_deviations};
 use crate::verify::surface::FittedObject;
@@ -76,7 +76,12 @@ fn decide(tally: &VerdictTally, measures_deviations: bool, rule: &VerdictRule) -
     }
     // Too rough or too noisy for this tolerance; a model that measures no deviations leaves most open by its nature.
     let unsure = !tally.known_to_hold && (totals.confirmed as f64) < MIN_CONFIRMED_OF_SEEN * seen;
-    if measures_deviations && unsure { Reason::TooUnsure } else { Reason::InPlace }
+    let few = tally.independent < MIN_INDEPENDENT.min(totals.samples as f64);
+    match () {
+        () if measures_deviations && unsure => Reason::TooUnsure,
+        () if measures_deviations && few => Reason::TooFewMeasured,
+        () => Reason::InPlace,
+    }
 }
 
 impl Evidence {
@@ -104,6 +109,7 @@ mod tests {
             surfaces: vec![half; 2],
             displaced: vec![false; 2],
             known_to_hold: true,
+            independent: 100.0,
             is_slim: false,
             in_front_unexplained: 0,
             found: None,
@@ -131,6 +137,7 @@ mod tests {
             let through = Counts { samples: 500, seen: 250, refuted: 200, pierced: 200, ..Counts::default() };
             VerdictTally { surfaces: vec![tally.surfaces[0], through], ..tally }
         };
+        let few = VerdictTally { independent: 1.9, ..in_place() };
         let unsure = |known_to_hold| VerdictTally { known_to_hold, ..counted(500, 0, 500, 200) };
         let far_off = {
             let tally = counted(500, 180, 300, 0);
@@ -145,13 +152,14 @@ mod tests {
             (counted(500, 0, 99, 0), Reason::TooLittleDecided, Verdict::Unobserved),
             (counted(500, 0, 0, 0), Reason::TooLittleDecided, Verdict::Unobserved),
             (counted(500, 450, 10, 0), Reason::Empty, Verdict::Absent),
-            (slim(89), Reason::Empty, Verdict::Absent),
-            (slim(90), Reason::Beside, Verdict::Deviating),
+            (slim(539), Reason::Empty, Verdict::Absent),
+            (slim(540), Reason::Beside, Verdict::Deviating),
             (VerdictTally { displaced: vec![false, true], ..in_place() }, Reason::Displaced(1), Verdict::Deviating),
             (half_through(), Reason::SeenThrough(1), Verdict::Deviating),
             (far_off, Reason::OutOfPlace, Verdict::Deviating),
             (unsure(false), Reason::TooUnsure, Verdict::Unobserved),
             (unsure(true), Reason::InPlace, Verdict::Confirmed),
+            (few, Reason::TooFewMeasured, Verdict::Unobserved),
             (in_place(), Reason::InPlace, Verdict::Confirmed),
         ];
         for (i, (tally, reason, verdict)) in cases.iter().enumerate() {

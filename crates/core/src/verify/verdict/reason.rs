@@ -25,6 +25,8 @@ pub enum Reason {
     OutOfPlace,
     /// In place, but not known well enough for the tolerance.
     TooUnsure,
+    /// By fewer measurements than can tell.
+    TooFewMeasured,
     /// In place.
     InPlace,
 }
@@ -33,7 +35,9 @@ impl Reason {
     /// The verdict that follows.
     pub fn verdict(self) -> Verdict {
         match self {
-            Self::TooLittleSeen | Self::TooLittleDecided | Self::TooUnsure => Verdict::Unobserved,
+            Self::TooLittleSeen | Self::TooLittleDecided | Self::TooUnsure | Self::TooFewMeasured => {
+                Verdict::Unobserved
+            }
             Self::Contradiction => Verdict::Conflicting,
             Self::Empty => Verdict::Absent,
             Self::Beside | Self::Elsewhere(_) | Self::Displaced(_) | Self::SeenThrough(_) | Self::OutOfPlace => {

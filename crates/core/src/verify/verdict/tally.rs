@@ -22,6 +22,8 @@ pub struct VerdictTally {
     pub displaced: Vec<bool>,
     /// Whether the built surface as a whole is known to keep the tolerance.
     pub known_to_hold: bool,
+    /// How many independent measurements show it.
+    pub independent: f64,
     /// Displaced by its own thickness, no beam aimed at the object meets it.
     pub is_slim: bool,
     /// Samples in front of which something stands that is not the object's own surface.
@@ -47,6 +49,7 @@ impl VerdictTally {
             totals,
             surfaces,
             known_to_hold: fitted.whole.is_known_to_hold(model.question.tolerance()),
+            independent: fitted.whole.independent,
             is_slim: fitted.is_slim,
             in_front_unexplained: fitted.in_front_unexplained,
             found: fitted.found,

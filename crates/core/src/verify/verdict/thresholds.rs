@@ -7,14 +7,18 @@ pub const MIN_SEEN: u64 = 5;
 pub const MIN_EMPTY: f64 = 0.6;
 /// It is not absent where as much of the decided shows the object's own surface, in place or not: it was built in part,
 /// or displaced by more than it is thick.
-pub const MAX_ON_SURFACE_OF_ABSENT: f64 = 0.25;
-/// A slim object stands beside its place when something was met off as many samples as this share of the empty ones.
-pub const MIN_BESIDE: f64 = 0.2;
+pub const MAX_ON_SURFACE_OF_ABSENT: f64 = 0.2;
+/// A slim object stands beside its place when something was met before so many times as many samples as were seen empty:
+/// before one that stands there it is, before one that is gone its neighbour may be.
+pub const MIN_BESIDE: f64 = 1.2;
 /// Least share of the seen samples that must say something; below it everything is open.
 pub const MIN_DECIDED: f64 = 0.2;
 /// Least share of the seen samples that must speak for the object before it is confirmed, where its surface as a whole
 /// is not known.
 pub const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
+/// Least number of samples' worth of independent measurements that must show the object before it is confirmed: some
+/// twenty beams.
+pub const MIN_INDEPENDENT: f64 = 2.0;
 /// A surface counts as well seen with this share of the object's samples that have one.
 pub const WELL_SEEN_SHARE: f64 = 0.03;
 /// It must have at least as many.

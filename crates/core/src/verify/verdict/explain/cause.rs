@@ -8,7 +8,7 @@ use crate::verify::verdict::judgement::Judgement;
 use crate::verify::verdict::reason::Reason;
 use crate::verify::verdict::rule::VerdictRule;
 use crate::verify::verdict::tally::allowed_out_of_tolerance;
-use crate::verify::verdict::thresholds::{MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_EMPTY, MIN_SEEN};
+use crate::verify::verdict::thresholds::{MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_EMPTY, MIN_INDEPENDENT, MIN_SEEN};
 
 /// What decided, with its numbers beside what the rule asks; shares without unit, lengths in metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +37,8 @@ pub enum Cause {
     OutOfPlace { share: f64, asked: f64 },
     /// In place, but not known well enough: σ of where it is.
     TooUnsure { sd: f64, certain: f64, asked: f64 },
+    /// What was seen lies where it is drawn, but too few measurements tell.
+    TooFewMeasured { independent: f64, asked: f64 },
     /// Every well-seen surface keeps the tolerance in as much of it as is asked.
     InPlace { asked: f64 },
 }
@@ -85,6 +87,9 @@ impl Cause {
                 certain: totals.confirmed as f64 / seen,
                 asked: MIN_CONFIRMED_OF_SEEN,
             },
+            Reason::TooFewMeasured => {
+                Self::TooFewMeasured { independent: fitted.whole.independent, asked: MIN_INDEPENDENT }
+            }
             Reason::InPlace => Self::InPlace { asked: rule.min_within },
         }
     }

@@ -135,6 +135,10 @@ fn because(cause: &Cause, tolerance: f64) -> String {
             percent_short_of(*certain, *asked),
             percent(*asked)
         ),
+        Cause::TooFewMeasured { independent, asked } => format!(
+            "what was seen lies where it is drawn, but so few beams tell of it that they are worth {independent:.1} \
+            places measured by themselves, and {asked:.0} are asked"
+        ),
         Cause::InPlace { asked } => {
             format!(
                 "at least {} of every well-seen surface lies within ±{} of the drawing",
