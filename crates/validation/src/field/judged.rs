@@ -16,6 +16,7 @@ use super::observer::{MAX_INCIDENCE, Truth, truths};
 use super::patches::Delivery;
 use super::right::right;
 use super::scene::{DATUM_M, Scene};
+use super::standing::SIGMA_BIAS_M;
 use super::why::{Kept, ReasonSaid};
 use crate::case::{Estimate, Stated};
 
@@ -61,7 +62,8 @@ fn survey(scene: &Scene, delivery: Delivery) -> Result<(SurveyObjects, Vec<Vec<u
     Ok((SurveyObjects::new(solids, Threads::Pool, NEVER)?, delivery.patches(&scene.scans)?))
 }
 
-/// What a surveyor tells: the scanner's data sheet (a white surface at 10 m), the registration's report. Classes
+/// What a surveyor tells: the scanner's data sheet (noise on a white surface at 10 m, bias by material), the report of the
+/// registration, and how well the datum is known; the last two of these no number of stations averages out. Classes
 /// alternate among those for which the survey is fit.
 fn model(scene: &Scene, number: usize) -> EvidenceModel {
     let registration = &scene.plan.registration;
@@ -69,7 +71,8 @@ fn model(scene: &Scene, number: usize) -> EvidenceModel {
         question: Question { loa: loa(scene, number), ..Question::default() },
         sigma_range: scene.plan.scanner.receiver.sigma(Receiver::WHITE_AT_10_M),
         sigma_angle: scene.plan.scanner.sigma_angle,
-        sigma_station: registration.sigma_place_m.hypot(DATUM_M),
+        sigma_station: registration.sigma_place_m,
+        sigma_model: DATUM_M.hypot(SIGMA_BIAS_M),
         max_incidence: MAX_INCIDENCE,
         ..EvidenceModel::default()
     }

@@ -16,7 +16,7 @@ use super::fate::{Fate, fates};
 use super::layout::Layout;
 use super::places::{Standpoint, chosen, standpoints};
 use super::samples::{Sample, samples};
-use super::standing::{Standing, furnish, standing};
+use super::standing::{SIGMA_BIAS_M, Standing, furnish, standing};
 
 /// Models below ../shared/data, and how many scenes are made of each.
 const SHARED: [(&str, usize); 10] = [
@@ -200,7 +200,7 @@ impl Scene {
     /// datum, and the range's bias by material.
     pub fn common_sd(&self) -> f64 {
         let place = self.plan.registration.sigma_place_m;
-        (place * place + DATUM_M * DATUM_M + 0.0005 * 0.0005).sqrt()
+        (place * place + DATUM_M * DATUM_M + SIGMA_BIAS_M * SIGMA_BIAS_M).sqrt()
     }
 }
 

@@ -12,7 +12,7 @@ use super::layout::{Kind, Layout, Object};
 /// An uneven slab is made of triangles with edges of at most this, metres.
 const PIECE_M: f64 = 0.4;
 /// Standard deviation of what ranges to an object have wrong by its material, metres.
-const SIGMA_BIAS_M: f64 = 0.0005;
+pub const SIGMA_BIAS_M: f64 = 0.0005;
 
 /// One built object: its triangles with the number of the drawn one in their place of the surface's.
 #[derive(Debug, Default)]

@@ -25,7 +25,8 @@ pub struct EvidenceModel {
     pub sigma_angle: f64,
     /// Standard deviation of a station's registration, metres per axis: common to all its beams.
     pub sigma_station: f64,
-    /// Standard deviation of the model's own surface, metres.
+    /// Standard deviation of the model's own surface and of what else all beams have in common (datum, the scanner's bias),
+    /// metres.
     pub sigma_model: f64,
     /// Reliability α of a station: the most belief it can give. Below 1, so that nothing can veto.
     pub reliability: f64,

@@ -20,6 +20,8 @@ const MIN_FOUND: f64 = 0.25;
 const MIN_FOUND_BEFORE: f64 = 0.5;
 /// Least share of what was met near a face, and is nobody else's, that must lie in one plane.
 const MIN_IN_PLANE: f64 = 0.6;
+/// Or so many times as much as in any other: what stands about lies at all distances.
+const TIMES_NEXT: f64 = 2.0;
 /// Fewer samples are no face.
 const MIN_SAMPLES: usize = 10;
 /// Nor is what so few beams met.
@@ -95,12 +97,13 @@ impl FarFaces<'_> {
             poll_now_and_then(round, interrupt)?;
             met.extend(self.met_at(sample, &normal));
         }
-        let near = met.len();
-        let plane = densest(met, FLAT_M.max(three_sigma(self.looked.model)));
+        let (near, half) = (met.len(), FLAT_M.max(three_sigma(self.looked.model)));
+        let (plane, others) = densest(met, half);
         let count = plane.len() as f64;
+        let stands_out = || count >= TIMES_NEXT * densest(others, half).0.len() as f64;
         let is_face = plane.len() >= MIN_SAMPLES
             && count >= MIN_FOUND * of_face.len() as f64
-            && count >= MIN_IN_PLANE * near as f64;
+            && (count >= MIN_IN_PLANE * near as f64 || stands_out());
         if !is_face {
             return Ok(None);
         }
@@ -189,8 +192,8 @@ fn around(in_u: (f64, f64), in_w: (f64, f64), beside: f64) -> impl Iterator<Item
     })
 }
 
-/// Those whose heights lie within ± `half` metres of each other, most of them.
-fn densest(mut met: Vec<Met>, half: f64) -> Vec<Met> {
+/// Those whose heights lie within ± `half` metres of each other, most of them; and those farther off than as much again.
+fn densest(mut met: Vec<Met>, half: f64) -> (Vec<Met>, Vec<Met>) {
     met.sort_by(|a, b| a.height.total_cmp(&b.height).then(a.sample.cmp(&b.sample)));
     let (mut best, mut end) = (0..0, 0);
     for start in 0..met.len() {
@@ -201,7 +204,11 @@ fn densest(mut met: Vec<Met>, half: f64) -> Vec<Met> {
             best = start..end;
         }
     }
-    met[best].to_vec()
+    let plane = met[best].to_vec();
+    if let (Some(first), Some(last)) = (plane.first(), plane.last()) {
+        met.retain(|m| m.height < first.height - half || m.height > last.height + half);
+    }
+    (plane, met)
 }
 
 /// Median height and its standard deviation, metres, where enough beams tell: the beams' scatter, registration, and that beams meet a face that
