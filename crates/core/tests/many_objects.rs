@@ -81,6 +81,20 @@ fn a_drawn_cladding_does_not_displace_the_wall_behind_it() {
     assert_eq!(verdict(&both[1]), Verdict::Deviating);
 }
 
+/// Plaster is off its place; the wall behind it, drawn against it, cannot be what was met.
+#[test]
+fn displaced_plaster_does_not_displace_the_wall_that_it_covers() {
+    let model = EvidenceModel::default();
+    let wall = Solid::cuboid([5.015, -1.0, -1.0], [5.25, 1.0, 1.0]).unwrap();
+    let plaster = Solid::cuboid([5.0, -1.0, -1.0], [5.015, 1.0, 1.0]).unwrap();
+    let verdict = |e: &Evidence| e.verdict(&e.model().question, &VerdictRule::default(), NEVER).unwrap();
+    for off in [0.02, 0.03, 0.07] {
+        let seen = patches(1, Vec3::zeros(), |_| 5.0 - off, None);
+        let both = together(&[(wall.clone(), model), (plaster.clone(), model)], &seen, Threads::Own, 4);
+        assert_eq!((verdict(&both[0]), verdict(&both[1])), (Verdict::Unobserved, Verdict::Deviating), "{off}");
+    }
+}
+
 /// No beam aimed at a pole meets it where it is displaced by more than its thickness; those beside it do.
 #[test]
 fn a_slim_pole_beside_its_place_is_not_absent() {

@@ -50,9 +50,9 @@ pub fn ownership(deviation: f64, other: f64, noise: f64) -> Ownership {
 }
 
 /// Whether a return that no beam was aimed with, `own` metres from where an object is drawn and `other` from where
-/// another one is, may be the other's.
+/// another one is, may be the other's: it lies hardly farther from that one than from this.
 pub fn may_be_anothers(own: f64, other: f64, model: &EvidenceModel) -> bool {
-    other.abs() < RATHER * own.abs().max(as_designed(model))
+    other.abs() < (RATHER * own.abs()).max(own.abs() + as_designed(model))
 }
 
 #[cfg(test)]
