@@ -199,6 +199,7 @@ fn retried(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
         std::thread::sleep(Duration::from_millis(10));
         let p = alloc();
         if !p.is_null() {
+            STUCK.store(false, Relaxed);
             return p;
         }
         STUCK.store(since.elapsed() > PATIENCE, Relaxed);

@@ -211,8 +211,8 @@ fn densest(mut met: Vec<Met>, half: f64) -> (Vec<Met>, Vec<Met>) {
     (plane, met)
 }
 
-/// Median height and its standard deviation, metres, where enough beams tell: the beams' scatter, registration, and that beams meet a face that
-/// is off beside the place of which they tell.
+/// Median height and its standard deviation, metres, where enough beams tell: the beams' scatter, registration, and that
+/// beams meet a face that is off beside the place of which they tell.
 fn measured(plane: &[Met], model: &EvidenceModel) -> Option<(f64, f64)> {
     let mut heights: Vec<f64> = plane.iter().map(|m| m.height).collect();
     let (median, spread) = median_and_spread(&mut heights)?;
