@@ -49,6 +49,13 @@ const FLUSH: isize = 64 << 10;
 thread_local! {
     /// What this thread took (or gave back) since it last added to [`LIVE`].
     static PENDING: Cell<isize> = const { Cell::new(0) };
+    /// Whether this thread's caller handles a null.
+    static HANDLED: Cell<bool> = const { Cell::new(false) };
+}
+
+/// Until told otherwise, this thread's refusals are handled by who asks: null is no abort then.
+pub fn refusals_are_handled(are: bool) {
+    let _ = HANDLED.try_with(|handled| handled.set(are));
 }
 
 /// Live bytes.
@@ -186,7 +193,7 @@ fn retried(bytes: usize, alloc: impl Fn() -> *mut u8) -> *mut u8 {
     REFUSED.store(bytes.max(1), Relaxed);
     give_up(&BALLAST, BALLAST_LAYOUT);
     let p = alloc();
-    if !p.is_null() {
+    if !p.is_null() || HANDLED.try_with(Cell::get) == Ok(true) {
         return p;
     }
     if is_main_thread() {

@@ -180,6 +180,10 @@ impl Budget for Backend {
         read_limits();
         room(bytes)
     }
+
+    fn refusals_are_handled(&self, are: bool) {
+        allocator::refusals_are_handled(are);
+    }
 }
 
 impl Budget for Helper {
@@ -189,6 +193,10 @@ impl Budget for Helper {
 
     fn room(&self, bytes: usize) -> Result<()> {
         room(bytes)
+    }
+
+    fn refusals_are_handled(&self, are: bool) {
+        allocator::refusals_are_handled(are);
     }
 }
 

@@ -14,6 +14,9 @@ pub trait Budget: Sync {
 
     /// Asked before this many bytes are taken at once; an error where there is no room for them.
     fn room(&self, bytes: usize) -> Result<()>;
+
+    /// Until told otherwise, a refusal of the system is handled where it is met.
+    fn refusals_are_handled(&self, _are: bool) {}
 }
 
 impl<F: Fn() -> bool + Sync> Budget for F {
@@ -74,7 +77,10 @@ impl<T> Grow for Vec<T> {
             target = (capacity + capacity / 8).max(wanted);
             room::<T>(target - capacity, interrupt)?;
         }
-        self.try_reserve_exact(target - len).map_err(|_| refused(target.saturating_mul(size_of::<T>())))
+        interrupt.refusals_are_handled(true);
+        let reserved = self.try_reserve_exact(target - len);
+        interrupt.refusals_are_handled(false);
+        reserved.map_err(|_| refused(target.saturating_mul(size_of::<T>())))
     }
 }
 
@@ -90,7 +96,10 @@ impl<K: Eq + Hash, V, S: BuildHasher> Grow for HashMap<K, V, S> {
         if bytes >= SMALL {
             interrupt.room(bytes)?;
         }
-        self.try_reserve(additional).map_err(|_| refused(bytes))
+        interrupt.refusals_are_handled(true);
+        let reserved = self.try_reserve(additional);
+        interrupt.refusals_are_handled(false);
+        reserved.map_err(|_| refused(bytes))
     }
 }
 
