@@ -16,10 +16,11 @@ pub fn shape(dims: &[i32]) -> String {
 /// # Safety
 /// `datum` must be an array.
 pub unsafe fn dims(datum: pg_sys::Datum) -> Vec<i32> {
-    unsafe {
-        let array = pg_sys::pg_detoast_datum(datum.cast_mut_ptr()).cast::<pg_sys::ArrayType>();
-        std::slice::from_raw_parts(array.add(1).cast::<i32>(), (*array).ndim as usize).to_vec()
-    }
+    unsafe { dims_of(pg_sys::pg_detoast_datum(datum.cast_mut_ptr()).cast()) }
+}
+
+unsafe fn dims_of(array: *const pg_sys::ArrayType) -> Vec<i32> {
+    unsafe { std::slice::from_raw_parts(array.add(1).cast::<i32>(), (*array).ndim as usize).to_vec() }
 }
 
 /// Dimensions and elements of an array of fixed-length plain numbers, in storage order.
@@ -29,8 +30,8 @@ pub unsafe fn dims(datum: pg_sys::Datum) -> Vec<i32> {
 pub unsafe fn read<T: Copy>(datum: pg_sys::Datum, what: &'static str) -> Result<(Vec<i32>, Vec<T>)> {
     unsafe {
         let array = pg_sys::pg_detoast_datum(datum.cast_mut_ptr()).cast::<pg_sys::ArrayType>();
-        let ndim = (*array).ndim as usize;
-        let dims = std::slice::from_raw_parts(array.add(1).cast::<i32>(), ndim).to_vec();
+        let dims = dims_of(array);
+        let ndim = dims.len();
         let count = if ndim == 0 { 0 } else { dims.iter().map(|&d| d as usize).product() };
         if (*array).dataoffset != 0 && pg_sys::array_contains_nulls(array) {
             return Err(Error::argument(what, "without NULL elements", "an array with NULL"));

@@ -1,6 +1,6 @@
 //! Time and memory that long work may take; may be asked on any of its threads.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, TryReserveError};
 use std::hash::{BuildHasher, Hash};
 
 use crate::error::{Error, Result};
@@ -64,6 +64,18 @@ fn refused(bytes: usize) -> Error {
     Error::OutOfMemory { bytes }
 }
 
+/// Reserves so many bytes; where the system refuses them, that is an error.
+fn reserved(
+    interrupt: Interrupt,
+    bytes: usize,
+    reserve: impl FnOnce() -> std::result::Result<(), TryReserveError>,
+) -> Result<()> {
+    interrupt.refusals_are_handled(true);
+    let outcome = reserve();
+    interrupt.refusals_are_handled(false);
+    outcome.map_err(|_| refused(bytes))
+}
+
 impl<T> Grow for Vec<T> {
     fn grow(&mut self, additional: usize, interrupt: Interrupt) -> Result<()> {
         let (len, capacity) = (self.len(), self.capacity());
@@ -77,10 +89,7 @@ impl<T> Grow for Vec<T> {
             target = (capacity + capacity / 8).max(wanted);
             room::<T>(target - capacity, interrupt)?;
         }
-        interrupt.refusals_are_handled(true);
-        let reserved = self.try_reserve_exact(target - len);
-        interrupt.refusals_are_handled(false);
-        reserved.map_err(|_| refused(target.saturating_mul(size_of::<T>())))
+        reserved(interrupt, target.saturating_mul(size_of::<T>()), || self.try_reserve_exact(target - len))
     }
 }
 
@@ -96,10 +105,7 @@ impl<K: Eq + Hash, V, S: BuildHasher> Grow for HashMap<K, V, S> {
         if bytes >= SMALL {
             interrupt.room(bytes)?;
         }
-        interrupt.refusals_are_handled(true);
-        let reserved = self.try_reserve(additional);
-        interrupt.refusals_are_handled(false);
-        reserved.map_err(|_| refused(bytes))
+        reserved(interrupt, bytes, || self.try_reserve(additional))
     }
 }
 

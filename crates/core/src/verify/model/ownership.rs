@@ -40,9 +40,8 @@ pub fn ownership(deviation: f64, other: f64, noise: f64) -> Ownership {
     if (deviation - other).abs() <= as_designed {
         return Ownership::Shared;
     }
-    // The other is drawn before the face, and this is where it is drawn or farther out: it would have to be gone.
-    let is_before = 0.0 <= other && other < deviation;
-    if (is_before || RATHER * other.abs() < deviation) && deviation > noise.max(HIDDEN_M) {
+    // Rather the other's; or at its surface or farther out, where that is drawn before the face: it would have to be gone.
+    if -deviation < RATHER * other && other < deviation && deviation > noise.max(HIDDEN_M) {
         return Ownership::Hides;
     }
     let behind = RATHER * other.abs() < -deviation && -deviation > as_designed;
