@@ -1,5 +1,7 @@
 //! Directions sorted into the cells of a grid in the image plane.
 
+use std::ops::Range;
+
 /// Most cells per side; a patch of 4096 beams needs far fewer.
 const MAX_CELLS: f64 = 256.0;
 
@@ -57,16 +59,37 @@ impl AngularGrid {
 
     /// Slot ranges, one per row of cells, that hold everything within the image rectangle (and some around it).
     /// Tangents of angles from the cone's axis: unit distance in front of the scanner.
-    pub fn slots_in(&self, min: [f64; 2], max: [f64; 2]) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
-        let index = |k: usize, x: f64, n: usize| ((x - self.low[k]) / self.cell).floor().clamp(-1.0, n as f64) as isize;
-        let c0 = index(0, min[0], self.columns).max(0);
-        let c1 = index(0, max[0], self.columns).min(self.columns as isize - 1);
-        let r0 = index(1, min[1], self.rows).max(0);
-        let r1 = index(1, max[1], self.rows).min(self.rows as isize - 1);
-        let rows = if c0 <= c1 && r0 <= r1 { r0..r1 + 1 } else { 0..0 };
+    pub fn slots_in(&self, min: [f64; 2], max: [f64; 2]) -> impl Iterator<Item = Range<usize>> + '_ {
+        let [columns, rows] = self.cells_in(min, max);
+        let rows = if columns.is_empty() { 0..0 } else { rows };
         rows.map(move |r| {
-            let row = r as usize * self.columns;
-            self.starts[row + c0 as usize] as usize..self.starts[row + c1 as usize + 1] as usize
+            let row = r * self.columns;
+            self.starts[row + columns.start] as usize..self.starts[row + columns.end] as usize
         })
+    }
+
+    /// Columns and rows of the cells that hold everything within the rectangle of the image plane at unit distance.
+    pub fn cells_in(&self, min: [f64; 2], max: [f64; 2]) -> [Range<usize>; 2] {
+        [(0, self.columns), (1, self.rows)].map(|(k, count)| {
+            let index = |x: f64| ((x - self.low[k]) / self.cell).floor().clamp(-1.0, count as f64) as isize;
+            let (first, last) = (index(min[k]).max(0), index(max[k]).min(count as isize - 1));
+            first as usize..(last + 1).max(first) as usize
+        })
+    }
+
+    /// The rectangle that holds all, in the image plane at unit distance.
+    pub fn extent(&self) -> ([f64; 2], [f64; 2]) {
+        let [columns, rows] = self.size().map(|count| count as f64 * self.cell);
+        (self.low, [self.low[0] + columns, self.low[1] + rows])
+    }
+
+    /// Number of columns and rows.
+    pub fn size(&self) -> [usize; 2] {
+        [self.columns, self.rows]
+    }
+
+    /// The slots of each cell, row by row.
+    pub fn cells(&self) -> impl Iterator<Item = Range<usize>> + '_ {
+        self.starts.windows(2).map(|ends| ends[0] as usize..ends[1] as usize)
     }
 }

@@ -25,6 +25,8 @@
 //! * [`cut`]: either, and the patches that come of it;
 //! * [`platform`]: patches of a moving platform as patches of one origin;
 //! * [`angular_grid`]: directions sorted into cells;
+//! * [`range_pyramid`]: how far the beams in a rectangle got;
+//! * [`window`]: what of a triangle lies within an image;
 //! * [`range_image`]: the decoded tile as a range image;
 //! * [`patch_builder`]: patches from rows;
 //! * [`edit`]: patches from patches.
@@ -47,8 +49,10 @@ mod patch_spec;
 mod planes;
 mod platform;
 mod range_image;
+mod range_pyramid;
 mod spacing;
 mod tile;
+mod window;
 
 pub(crate) use angular_grid::AngularGrid;
 pub use beam::{Beam, MAX_BEAMS};
@@ -63,3 +67,4 @@ pub use patch_spec::PatchSpec;
 pub use platform::by_origin;
 pub use range_image::RangeImage;
 pub use spacing::Spacing;
+pub(crate) use window::Window;

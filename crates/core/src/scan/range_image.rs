@@ -4,7 +4,12 @@ use super::angular_grid::AngularGrid;
 use super::beam::Beam;
 use super::cone::Cone;
 use super::header::PatchHeader;
+use super::range_pyramid::RangePyramid;
+use super::window::Window;
 use crate::geometry::Vec3;
+
+/// Beams farther from the axis have no proper place in the image, radians.
+const MAX_PROJECTED: f64 = 1.5;
 
 /// Beams of one origin, sorted into the cells of an angular grid.
 ///
@@ -22,6 +27,7 @@ pub struct RangeImage {
     pub intensities: Option<Vec<u16>>,
     basis: [Vec3; 2],
     grid: AngularGrid,
+    farthest: RangePyramid,
 }
 
 impl RangeImage {
@@ -53,7 +59,8 @@ impl RangeImage {
                 sorted[slot as usize] = intensity;
             }
         }
-        Self { header, directions, ranges, intensities: sorted, basis, grid }
+        let farthest = RangePyramid::of(&grid, &ranges);
+        Self { header, directions, ranges, intensities: sorted, basis, grid, farthest }
     }
 
     /// Angle between neighbouring beams, radians.
@@ -82,6 +89,38 @@ impl RangeImage {
     /// In the image plane at unit distance from the scanner.
     pub fn slots_in(&self, min: [f64; 2], max: [f64; 2]) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
         self.grid.slots_in(min, max)
+    }
+
+    /// At least as far as any beam within the image rectangle got, metres: infinity where one did not return, −∞ where
+    /// there is none.
+    pub fn farthest_in(&self, min: [f64; 2], max: [f64; 2]) -> f64 {
+        self.farthest.farthest(self.grid.cells_in(min, max))
+    }
+
+    /// What of a triangle (corners from the scanner, metres) lies within the image.
+    pub fn window_on(&self, corners_scanner: &[Vec3; 3]) -> Option<Window> {
+        if self.header.cone.half_angle > MAX_PROJECTED {
+            return Some(Window { min: [f64::NEG_INFINITY; 2], max: [f64::INFINITY; 2], depth: 0.0 });
+        }
+        let seen =
+            corners_scanner.map(|c| [c.dot(&self.basis[0]), c.dot(&self.basis[1]), c.dot(&self.header.cone.axis)]);
+        Window::on(&seen, self.grid.extent())
+    }
+
+    /// The rectangle in the image around what has these corners (from the scanner, metres); the whole image when one is
+    /// beside or behind it.
+    pub fn rectangle_around(&self, corners_scanner: &[Vec3]) -> ([f64; 2], [f64; 2]) {
+        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for corner in corners_scanner {
+            let Some(uv) = self.project(corner) else {
+                return ([f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
+            };
+            for k in 0..2 {
+                min[k] = min[k].min(uv[k] - 1e-9);
+                max[k] = max[k].max(uv[k] + 1e-9);
+            }
+        }
+        (min, max)
     }
 }
 

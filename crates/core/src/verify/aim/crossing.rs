@@ -3,7 +3,8 @@
 //! Each beam is asked against the drawn geometry before it is asked against any sample: a triangle is projected
 //! into the patch's range image and tested only against the beams under it; the nearest crossing wins. A beam so
 //! tells of the one place where it should have met the object, whether at an edge, in an opening, at a
-//! curved face or at a thin wall.
+//! curved face or at a thin wall. What is drawn farther behind the place where a beam ended than a patch can tell of
+//! ([`Depth`]) is not asked: rooms behind a wall are left out by the farthest beam that looks towards them.
 //!
 //! Glass lets beams through, and a leaf may stand open: a pane or leaf counts only where a beam met it. Every other beam
 //! passes on to the parts behind. What passed a pane may as well have been mirrored by it: that it ends behind a part
@@ -11,8 +12,8 @@
 
 use super::target::Target;
 use super::triangle::TargetTriangle;
-use crate::geometry::{FaceKind, Vec3};
-use crate::scan::RangeImage;
+use crate::geometry::{Aabb, FaceKind, Vec3};
+use crate::scan::{RangeImage, Window};
 use crate::{Interrupt, Result, poll};
 
 /// A pane or leaf was met when the return lies no farther from it, metres along its normal: what it may be off as built,
@@ -47,34 +48,62 @@ impl BeamCrossing {
     }
 }
 
+/// How far along its beams a patch can tell anything, metres.
+#[derive(Debug, Clone, Copy)]
+pub struct Depth {
+    /// From where they start.
+    pub farthest: f64,
+    /// Behind what they met.
+    pub behind: f64,
+}
+
+impl Depth {
+    /// Whether any beam towards what has these corners (from the scanner, metres), and is no nearer than `nearest` metres,
+    /// can tell of it.
+    pub fn reaches(&self, view: &RangeImage, corners_scanner: &[Vec3], nearest: f64) -> bool {
+        let (min, max) = view.rectangle_around(corners_scanner);
+        nearest <= self.of(view.farthest_in(min, max))
+    }
+
+    /// Of a beam with this range, from where it starts.
+    fn of(&self, range: f64) -> f64 {
+        (range + self.behind).min(self.farthest)
+    }
+}
+
 /// By slot, the nearest crossing found so far.
 struct Nearest {
+    /// Without a crossing, how far one would tell anything.
     distance: Vec<f64>,
     triangle: Vec<u32>,
     from_behind: Vec<bool>,
 }
 
-/// The first crossing of every beam that crosses within `reach` metres of the scanner, by slot.
-pub fn crossings(target: &Target, view: &RangeImage, reach: f64, interrupt: Interrupt) -> Result<Vec<BeamCrossing>> {
+/// The first crossing of every beam that crosses within `depth`, by slot.
+pub fn crossings(target: &Target, view: &RangeImage, depth: &Depth, interrupt: Interrupt) -> Result<Vec<BeamCrossing>> {
     let origin = view.header.origin;
     let concerns = |centre_world: &Vec3, radius: f64| {
         let centre_scanner = centre_world - origin;
-        centre_scanner.norm() - radius <= reach && view.header.cone.meets_ball(&centre_scanner, radius, 0.0)
+        let nearest = centre_scanner.norm() - radius;
+        nearest <= depth.farthest
+            && view.header.cone.meets_ball(&centre_scanner, radius, 0.0)
+            && depth.reaches(view, &Aabb::around(&[centre_scanner]).expanded(radius).corners(), nearest)
     };
-    let faces_it =
-        |t: &usize| target.triangles[*t].height_of(&origin, target.two_sided).is_some_and(|h| h.abs() <= reach);
+    let faces_it = |t: &usize| {
+        target.triangles[*t].height_of(&origin, target.two_sided).is_some_and(|h| h.abs() <= depth.farthest)
+    };
     let triangles: Vec<usize> = target.chunks(concerns).flatten().filter(faces_it).collect();
     if triangles.is_empty() {
         return Ok(Vec::new());
     }
-    let mut fixed = Nearest::none(view.len());
-    let mut optional = Nearest::none(if target.has_optional { view.len() } else { 0 });
+    let mut fixed = Nearest::none(&view.ranges, depth);
+    let mut optional = Nearest::none(if target.has_optional { &view.ranges } else { &[] }, depth);
     for (round, t) in triangles.into_iter().enumerate() {
         if round % 32 == 0 {
             poll(interrupt)?;
         }
         let nearest = if target.triangles[t].is_optional() { &mut optional } else { &mut fixed };
-        nearest.cross(target, t, view, reach);
+        nearest.cross(target, t, view, depth);
     }
     let first = |slot| optional.met(target, view, slot).filter(|o| o.distance < fixed.distance[slot]);
     let behind = |slot, c: BeamCrossing| {
@@ -89,11 +118,11 @@ pub fn crossings(target: &Target, view: &RangeImage, reach: f64, interrupt: Inte
 }
 
 impl Nearest {
-    fn none(beams: usize) -> Self {
+    fn none(ranges: &[f64], depth: &Depth) -> Self {
         Self {
-            distance: vec![f64::INFINITY; beams],
-            triangle: vec![TargetTriangle::NONE; beams],
-            from_behind: vec![false; beams],
+            distance: ranges.iter().map(|range| depth.of(*range)).collect(),
+            triangle: vec![TargetTriangle::NONE; ranges.len()],
+            from_behind: vec![false; ranges.len()],
         }
     }
 
@@ -114,7 +143,7 @@ impl Nearest {
     }
 
     /// Takes the beams for which triangle `t` is nearer than all before.
-    fn cross(&mut self, target: &Target, t: usize, view: &RangeImage, reach: f64) {
+    fn cross(&mut self, target: &Target, t: usize, view: &RangeImage, depth: &Depth) {
         let triangle = &target.triangles[t];
         let corners_scanner = triangle.corners.map(|p| p - view.header.origin);
         let [a, b, c] = &corners_scanner;
@@ -124,14 +153,17 @@ impl Nearest {
         let side = if height < 0.0 { 1.0 } else { -1.0 };
         let edges = [a.cross(b) * side, b.cross(c) * side, c.cross(a) * side];
         let normal = triangle.normal * side;
-        let (min, max) = image_rectangle(view, &corners_scanner);
+        let Some(Window { min, max, depth: nearest }) = view.window_on(&corners_scanner) else { return };
+        if nearest.max(height.abs()) > depth.of(view.farthest_in(min, max)) {
+            return;
+        }
         for slots in view.slots_in(min, max) {
             for slot in slots {
                 let d = &view.directions[slot];
                 let slope = d.dot(&normal);
                 let distance = height * side / slope;
-                // Most beams end here: the plane is behind them, or something nearer before it.
-                if slope >= 0.0 || distance >= self.distance[slot] || distance > reach {
+                // Most beams end here: the plane looks away, or something nearer is before it.
+                if slope >= 0.0 || distance >= self.distance[slot] {
                     continue;
                 }
                 if d.dot(&edges[0]) > 0.0 || d.dot(&edges[1]) > 0.0 || d.dot(&edges[2]) > 0.0 {
@@ -145,22 +177,6 @@ impl Nearest {
     }
 }
 
-/// The rectangle in the image around what has these corners (from the scanner, metres); the whole image when one is
-/// beside or behind it.
-pub fn image_rectangle(view: &RangeImage, corners_scanner: &[Vec3]) -> ([f64; 2], [f64; 2]) {
-    let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-    for corner in corners_scanner {
-        let Some(uv) = view.project(corner) else {
-            return ([f64::NEG_INFINITY; 2], [f64::INFINITY; 2]);
-        };
-        for k in 0..2 {
-            min[k] = min[k].min(uv[k] - 1e-9);
-            max[k] = max[k].max(uv[k] + 1e-9);
-        }
-    }
-    (min, max)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -168,6 +184,8 @@ mod tests {
     use crate::geometry::Solid;
     use crate::scan::{Beam, Patch};
     use rand::{Rng, SeedableRng};
+
+    const EVERYWHERE: Depth = Depth { farthest: f64::INFINITY, behind: f64::INFINITY };
 
     /// Brute force: Möller-Trumbore on every triangle, front faces only.
     fn first_hit(solid: &Solid, origin: &Vec3, d: &Vec3) -> f64 {
@@ -211,7 +229,7 @@ mod tests {
             let bytes = Patch::encode(0, origin, 2e-2, 1e-4, &beams).unwrap().to_bytes();
             let (header, content) = Patch::beams_of(&bytes).unwrap();
             let view = RangeImage::new(header, &content.beams);
-            let got = crossings(&Target::new(solid, NEVER).unwrap(), &view, f64::INFINITY, NEVER).unwrap();
+            let got = crossings(&Target::new(solid, NEVER).unwrap(), &view, &EVERYWHERE, NEVER).unwrap();
             for slot in 0..view.len() {
                 let want = first_hit(solid, &origin, &view.directions[slot]);
                 let found = got.binary_search_by_key(&(slot as u32), |c| c.slot).map(|i| got[i].distance);

@@ -17,7 +17,7 @@ mod unpacked;
 
 pub(super) use aimed_at::AimedAt;
 pub(super) use claims::{Claims, OtherObjects};
-pub(super) use crossing::{BeamCrossing, crossings, image_rectangle};
+pub(super) use crossing::{BeamCrossing, Depth, crossings};
 pub(super) use foot::{Foot, foot};
 pub(super) use near_face::NearFace;
 pub(super) use target::Target;

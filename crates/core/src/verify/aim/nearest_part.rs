@@ -34,7 +34,8 @@ impl Target {
         within: f64,
         counts: impl Fn(&TargetTriangle) -> bool,
     ) -> Option<(f64, &TargetTriangle)> {
-        let around = self.index.around(&self.triangles, place_world, within).filter(|t| counts(t));
+        let is_near = |t: &&TargetTriangle| t.normal.dot(&(place_world - t.corners[0])).abs() <= within && counts(t);
+        let around = self.index.around(&self.triangles, place_world, within).filter(is_near);
         let near = around.map(|t| (t.distance(place_world), t)).filter(|(d, _)| *d <= within);
         near.min_by(|a, b| a.0.total_cmp(&b.0))
     }

@@ -6,7 +6,7 @@ use super::drawn_object::{DrawnObject, margin};
 use super::point_index::PointIndex;
 use crate::geometry::{Solid, Vec3};
 use crate::scan::{PatchHeader, RangeImage};
-use crate::verify::aim::{Aim, AimedAt, BeamCrossing, OtherObjects, Unpacked, UnpackedBeams, crossings};
+use crate::verify::aim::{Aim, AimedAt, BeamCrossing, OtherObjects, Unpacked, UnpackedBeams};
 use crate::verify::evidence::{BLOCK, Evidence, SampleBlock, Samples, StationOrigin};
 use crate::verify::model::{BeamModel, BeamOutcome, EvidenceModel, Sums, with_model};
 use crate::{Interrupt, Result, poll};
@@ -138,11 +138,7 @@ impl Collector {
         keep: impl Fn(BeamOutcome) -> Option<BeamOutcome>,
         interrupt: Interrupt,
     ) -> Result<()> {
-        let crossings = if M::CROSSES_SURFACE {
-            crossings(&self.drawn.target, view, self.drawn.reach(&view.header), interrupt)?
-        } else {
-            Vec::new()
-        };
+        let crossings = if M::CROSSES_SURFACE { self.drawn.crossings(view, interrupt)? } else { Vec::new() };
         self.absorb_crossings::<M>(view, &crossings, place, None, keep, interrupt)
     }
 
@@ -184,6 +180,7 @@ impl Collector {
             if offset.norm() - radius > reach
                 || gathering.looks_away(block, &offset, *radius)
                 || !header.cone.meets_ball(&offset, radius + beside, margin)
+                || !M::may_tell_of(beams, &offset, *radius)
             {
                 continue;
             }

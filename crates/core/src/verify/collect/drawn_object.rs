@@ -1,8 +1,8 @@
 //! One drawn object, made ready for beams: all that others need to know of it.
 
 use crate::geometry::{Aabb, Solid, Vec3};
-use crate::scan::{PatchHeader, Spacing, Vicinity};
-use crate::verify::aim::{Aim, Claims, NearFace, Target, Unpacked, UnpackedBeams, crossings};
+use crate::scan::{PatchHeader, RangeImage, Spacing, Vicinity};
+use crate::verify::aim::{Aim, BeamCrossing, Claims, Depth, NearFace, Target, Unpacked, UnpackedBeams, crossings};
 use crate::verify::evidence::Samples;
 use crate::verify::model::{BeamModel, EvidenceModel, KERNEL_SPACINGS, with_model};
 use crate::{Interrupt, Result, poll};
@@ -41,7 +41,10 @@ impl DrawnObject {
         }
         match &patch.beams {
             UnpackedBeams::FromOne(view) if with_model!(self.model.kind, M => M::CROSSES_SURFACE) => {
-                crossings(&self.target, view, self.reach(&view.header), interrupt).map(Aim::At)
+                if self.is_behind_all(view) {
+                    return Ok(Aim::Aside);
+                }
+                self.crossings(view, interrupt).map(Aim::At)
             }
             UnpackedBeams::Points(points) => self.near_faces(&patch.header, points, interrupt).map(Aim::Near),
             _ => Ok(Aim::Unknown),
@@ -84,12 +87,33 @@ impl DrawnObject {
         face.filter(|face| (-behind..=in_front).contains(&face.height))
     }
 
-    /// How far from the scanner a patch can tell anything, metres: behind its farthest return by the search band as a
-    /// beam at the steepest admitted incidence sees it.
+    /// The first crossing of every beam that can tell of the object.
+    pub fn crossings(&self, view: &RangeImage, interrupt: Interrupt) -> Result<Vec<BeamCrossing>> {
+        crossings(&self.target, view, &self.depth(&view.header), interrupt)
+    }
+
+    /// Whether every beam that looks towards the object, or the band around it, ended before.
+    fn is_behind_all(&self, view: &RangeImage) -> bool {
+        let origin = view.header.origin;
+        let around = self.bounds.expanded(self.model.band());
+        let nearest = around.distance(&Aabb::around(&[origin]));
+        !self.depth(&view.header).reaches(view, &around.corners().map(|c| c - origin), nearest)
+    }
+
+    fn depth(&self, header: &PatchHeader) -> Depth {
+        Depth { farthest: self.reach(header), behind: self.behind() }
+    }
+
+    /// How far behind what a beam met it can tell anything, metres: the search band as a beam at the steepest admitted
+    /// incidence sees it.
+    fn behind(&self) -> f64 {
+        self.model.band_in_front() / self.model.max_incidence.cos()
+    }
+
+    /// How far from the scanner a patch can tell anything, metres.
     pub fn reach(&self, header: &PatchHeader) -> f64 {
         let model = &self.model;
-        let behind = model.band_in_front() / model.max_incidence.cos();
-        let returns = f64::from(header.range[1]) + behind + self.kernel_radius();
+        let returns = f64::from(header.range[1]) + self.behind() + self.kernel_radius();
         if header.flags & PatchHeader::FLAG_NO_RETURNS != 0 { returns.max(model.no_return_range) } else { returns }
     }
 

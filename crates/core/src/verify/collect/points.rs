@@ -5,7 +5,7 @@ use super::point_index::LocalPoint;
 use crate::geometry::{Aabb, Vec3};
 use crate::scan::{Beam, Patch, PatchHeader, RangeImage};
 use crate::uncertain::UncertainPoint;
-use crate::verify::aim::{BeamCrossing, NearFace, OtherObjects, image_rectangle};
+use crate::verify::aim::{BeamCrossing, NearFace, OtherObjects};
 use crate::verify::evidence::{Evidence, StationOrigin};
 use crate::verify::model::{BeamModel, BeamOutcome, PointTouch, may_be_anothers, with_model};
 use crate::{Interrupt, Result, poll};
@@ -124,7 +124,7 @@ impl Collector {
         let Evidence { samples, stations, .. } = evidence;
         let station = &mut stations[number];
         let scanner_local = header.origin - samples.reference;
-        let (min, max) = image_rectangle(view, &around.corners().map(|c| c - header.origin));
+        let (min, max) = view.rectangle_around(&around.corners().map(|c| c - header.origin));
         for (i, slot) in view.slots_in(min, max).flatten().enumerate() {
             if i % 1024 == 0 {
                 poll(interrupt)?;

@@ -44,6 +44,9 @@ pub trait BeamModel {
     /// How far beside the patch's cone samples are that its beams tell of, metres.
     fn beside_cone(beams: &Self::PreparedBeams<'_>) -> f64;
 
+    /// Whether any beam may tell of a sample in a ball (from the scanner, metres).
+    fn may_tell_of(beams: &Self::PreparedBeams<'_>, centre_scanner: &Vec3, radius: f64) -> bool;
+
     /// Adds the beams around a sample at `offset_scanner`, whose `normal` looks at the scanner.
     fn gather(beams: &Self::PreparedBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: &mut Sums);
 

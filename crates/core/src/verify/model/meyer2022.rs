@@ -87,6 +87,10 @@ impl BeamModel for Meyer2022 {
         Self::kernel_radius(beams.model)
     }
 
+    fn may_tell_of(_: &Self::PreparedBeams<'_>, _: &Vec3, _: f64) -> bool {
+        true
+    }
+
     fn gather(beams: &RayBeams<'_>, offset_scanner: &Vec3, _: &Vec3, sums: &mut Sums) {
         let RayBeams { view, model } = beams;
         let rays = model.ray_model();

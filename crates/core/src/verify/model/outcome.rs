@@ -10,6 +10,8 @@ use crate::{Interrupt, Result, poll_now_and_then};
 
 /// A pane mirrors a sixth of the light and more that comes at 60° and more from its normal (Fresnel, both sides).
 const GLANCING_COS: f64 = 0.5;
+/// A return farther off the surface at its foot tells of where it was aimed, metres.
+const MAX_DEVIATION_M: f64 = 1.0;
 /// Parts of an object whose normals differ by less (30°) may be taken for each other where it is displaced.
 const PARALLEL_COS: f64 = 0.866;
 
@@ -198,8 +200,9 @@ impl Classifier<'_> {
         let there = crossing.turned(target, triangle);
         // Moved by as much as it is round, its nearest places crowd on few facets and leave the others without beams.
         let is_near = there.dot(normal) >= BLUNT_EDGE_COS;
-        let outcome = met((met_world - place_world).dot(&there), share);
-        if is_near { self.at(place_world - origin, there, outcome) } else { None }
+        let deviation = (met_world - place_world).dot(&there);
+        let outcome = met(deviation, share);
+        if is_near && deviation.abs() <= MAX_DEVIATION_M { self.at(place_world - origin, there, outcome) } else { None }
     }
 
     /// What this beam is worth beside a bright one.
@@ -227,7 +230,9 @@ mod tests {
     use crate::NEVER;
     use crate::geometry::Solid;
     use crate::scan::{Beam, Patch};
-    use crate::verify::aim::{Claims, Target, crossings};
+    use crate::verify::aim::{Claims, Depth, Target, crossings};
+
+    const EVERYWHERE: Depth = Depth { farthest: f64::INFINITY, behind: f64::INFINITY };
 
     /// A wall whose face is drawn at x = `face`.
     fn wall(face: f64) -> Target {
@@ -245,9 +250,9 @@ mod tests {
         let mut claims = Claims::none(view.len());
         if let Some(face) = other {
             let other = wall(face);
-            claims.stake_all(&view, &other, &crossings(&other, &view, f64::INFINITY, NEVER).unwrap(), 1);
+            claims.stake_all(&view, &other, &crossings(&other, &view, &EVERYWHERE, NEVER).unwrap(), 1);
         }
-        let crossings = crossings(&target, &view, f64::INFINITY, NEVER).unwrap();
+        let crossings = crossings(&target, &view, &EVERYWHERE, NEVER).unwrap();
         let others = other.map(|_| claims.of_others_than(0));
         BeamOutcomes::of(&view, &AimedAt { target: &target, crossings: &crossings, others }, model, Some, NEVER)
             .unwrap()
@@ -313,7 +318,7 @@ mod tests {
     #[test]
     fn what_is_not_kept_tells_nothing() {
         let (view, target, model) = (view(at(3.0), 0), wall(3.0), EvidenceModel::default());
-        let crossings = crossings(&target, &view, f64::INFINITY, NEVER).unwrap();
+        let crossings = crossings(&target, &view, &EVERYWHERE, NEVER).unwrap();
         let aimed = AimedAt { target: &target, crossings: &crossings, others: None };
         assert!(BeamOutcomes::of(&view, &aimed, &model, |_| None, NEVER).unwrap().is_none());
         let weaker = |_| Some(BeamOutcome::SeenThrough { weight: 0.5 });

@@ -13,7 +13,7 @@ use super::sums::Sums;
 use super::surface_sums::{DEVIATION, SurfaceReading, SurfaceSums};
 use super::touch::PointTouch;
 use super::viewing_geometry::ViewingGeometry;
-use crate::geometry::Vec3;
+use crate::geometry::{Aabb, Vec3};
 use crate::scan::RangeImage;
 use crate::verify::aim::AimedAt;
 use crate::{Interrupt, Result};
@@ -66,6 +66,16 @@ impl BeamModel for Surface {
         beams.met.widest
     }
 
+    fn may_tell_of(beams: &SurfaceBeams<'_>, centre_scanner: &Vec3, radius: f64) -> bool {
+        let SurfaceBeams { view, met, .. } = beams;
+        let ([u0, v0], [u1, v1]) = view.rectangle_around(&Aabb::around(&[*centre_scanner]).expanded(radius).corners());
+        let farthest = [u0.abs().max(u1.abs()), v0.abs().max(v1.abs())];
+        let kernel = kernel_radius(view.step(), farthest);
+        // Beside the image where a part of the ball is beside the scanner.
+        !kernel.is_finite()
+            || met.slots_in([u0 - kernel, v0 - kernel], [u1 + kernel, v1 + kernel]).any(|s| !s.is_empty())
+    }
+
     fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: &mut Sums) {
         let cos = -offset_scanner.dot(normal) / offset_scanner.norm();
         if cos >= beams.min_cos {
@@ -112,14 +122,13 @@ fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: 
     let SurfaceBeams { view, met, .. } = beams;
     let range_squared = offset_scanner.norm_squared();
     let Some(uv) = view.project(offset_scanner) else { return };
-    let step = view.step();
-    // The gnomonic image stretches away from its centre, by this much at the most.
-    let radius = KERNEL_SPACINGS * step * (1.0 + uv[0] * uv[0] + uv[1] * uv[1]) * 1.05;
+    let (step, radius) = (view.step(), kernel_radius(view.step(), uv));
     let here = offset_scanner.map(|c| c as f32);
     let sight = (offset_scanner / range_squared.sqrt()).map(|c| c as f32);
     let normal = normal.map(|c| c as f32);
     let per_spacing = (1.0 / (step * step * range_squared)) as f32;
     let [xs, ys, zs] = &met.places_scanner;
+    let (mut added, mut parts) = (0, SurfaceSums::default());
     for slots in met.slots_in([uv[0] - radius, uv[1] - radius], [uv[0] + radius, uv[1] + radius]) {
         for slot in slots {
             let v = nalgebra::Vector3::new(xs[slot] - here.x, ys[slot] - here.y, zs[slot] - here.z);
@@ -129,20 +138,26 @@ fn gather(beams: &SurfaceBeams<'_>, offset_scanner: &Vec3, normal: &Vec3, sums: 
             if is_within(across_squared) {
                 let there = nalgebra::Vector3::from(met.normals[slot]);
                 if goes_on(v.dot(&normal).abs(), lateral_squared, there.dot(&normal)) {
-                    add(met.outcomes[slot], weight(across_squared), sums);
+                    added += 1;
+                    add(met.outcomes[slot], weight(across_squared), &mut parts);
                 }
             }
         }
     }
+    sums.add(&Sums::new(added, parts.parts()));
+}
+
+/// Radius of the kernel around a place in the image, which stretches away from its centre, by this much at the most.
+fn kernel_radius(step: f64, [u, v]: [f64; 2]) -> f64 {
+    KERNEL_SPACINGS * step * (1.0 + u * u + v * v) * 1.05
 }
 
 #[inline(always)]
-fn add(outcome: BeamOutcome, kernel: i64, sums: &mut Sums) {
-    let one = match outcome {
+fn add(outcome: BeamOutcome, kernel: i64, parts: &mut SurfaceSums) {
+    parts.add(match outcome {
         BeamOutcome::Surface { deviation, share } => SurfaceSums::met(shared(kernel, share), i64::from(deviation), 0),
         BeamOutcome::SeenThrough { weight } => SurfaceSums::passed(shared(kernel, weight)),
-    };
-    sums.add_beam(one.parts());
+    });
 }
 
 /// A part of a weight in fixed point.

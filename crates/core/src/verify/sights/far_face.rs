@@ -1,12 +1,13 @@
 //! A face that stands farther off than its surface is looked for by the sums: a wall built 0.2 m beside its place.
 //!
 //! Where an object was not found, or without a number, its faces are held against where the beams of each station ended.
-//! What another object explains is left out. What is left is the face, displaced, if it is as large (a fourth of the
-//! face, and most of what is left), as flat, lies parallel to it, and does not go on beyond its outline.
+//! What another object explains is left out. What is left is the face, displaced, if it is as large (a fourth of what of
+//! the face could have been seen there, and most of what is left), as flat, lies parallel to it, and does not go on beyond
+//! its outline. What stands before a plane hides it, and says nothing against it.
 
 use std::collections::BTreeSet;
 
-use super::second_look::{Looked, Owner, Sighted};
+use super::second_look::{Looked, Outlook, Owner, Sighted};
 use super::sight_map::SightMap;
 use crate::geometry::{FaceKind, Vec3, perpendiculars};
 use crate::num::stats::{MEDIAN_SD, median_and_spread};
@@ -14,11 +15,13 @@ use crate::verify::evidence::{Evidence, FoundFace};
 use crate::verify::model::{EvidenceModel, RATHER, three_sigma};
 use crate::{Interrupt, Result, poll_now_and_then};
 
-/// Least share of a face that must be found.
+/// Least share of a face, without what is hidden, that must be found.
 const MIN_FOUND: f64 = 0.25;
 /// The same before its place, where more stands that is not drawn.
 const MIN_FOUND_BEFORE: f64 = 0.5;
-/// Least share of what was met near a face, and is nobody else's, that must lie in one plane.
+/// Least share of a face that must be found, whatever is hidden.
+const MIN_FOUND_OF_ALL: f64 = 0.1;
+/// Least share of what was met in a plane or behind, and is nobody else's, that must lie in it.
 const MIN_IN_PLANE: f64 = 0.6;
 /// Or so many times as much as in any other: what stands about lies at all distances.
 const TIMES_NEXT: f64 = 2.0;
@@ -56,7 +59,7 @@ struct Met {
 /// The faces of an object and where beams ended.
 pub struct FarFaces<'a> {
     pub looked: &'a Looked<'a>,
-    pub maps: &'a [&'a SightMap],
+    pub outlooks: &'a [Outlook<'a>],
     pub evidence: &'a Evidence,
     /// Of so many samples one is looked at.
     pub stride: usize,
@@ -97,18 +100,16 @@ impl FarFaces<'_> {
             poll_now_and_then(round, interrupt)?;
             met.extend(self.met_at(sample, &normal));
         }
-        let (near, half) = (met.len(), FLAT_M.max(three_sigma(self.looked.model)));
+        let half = FLAT_M.max(three_sigma(self.looked.model));
         let (plane, others) = densest(met, half);
-        let count = plane.len() as f64;
-        let stands_out = || count >= TIMES_NEXT * densest(others, half).0.len() as f64;
-        let is_face = plane.len() >= MIN_SAMPLES
-            && count >= MIN_FOUND * of_face.len() as f64
-            && (count >= MIN_IN_PLANE * near as f64 || stands_out());
-        if !is_face {
+        let (count, all) = (plane.len() as f64, of_face.len() as f64);
+        if plane.len() < MIN_SAMPLES || count < MIN_FOUND_OF_ALL * all || !stands_out(&plane, others, half) {
             return Ok(None);
         }
         let Some((deviation, sd)) = measured(&plane, self.looked.model) else { return Ok(None) };
-        if deviation > 0.0 && count < MIN_FOUND_BEFORE * of_face.len() as f64 {
+        let hidden = self.hidden(of_face, &normal, deviation + 2.0 * half, interrupt)?;
+        let least = if deviation > 0.0 { MIN_FOUND_BEFORE } else { MIN_FOUND };
+        if count < least * (all - hidden as f64) {
             return Ok(None);
         }
         let model = self.looked.model;
@@ -120,11 +121,35 @@ impl FarFaces<'_> {
         Ok(Some(FoundFace { face: face as u32, deviation, sd, samples }))
     }
 
+    /// Before how many samples of a face every beam that was sent there ended more than `above` metres in front of it.
+    fn hidden(&self, of_face: &[usize], normal: &Vec3, above: f64, interrupt: Interrupt) -> Result<usize> {
+        let mut hidden = 0;
+        for (round, &sample) in of_face.iter().enumerate() {
+            poll_now_and_then(round, interrupt)?;
+            let place_world = self.evidence.samples.position(sample);
+            let heights = || self.outlooks.iter().filter_map(|o| self.ended(o.map, &place_world, normal));
+            hidden += usize::from(heights().next().is_some() && heights().all(|height| height > above));
+        }
+        Ok(hidden)
+    }
+
+    /// How far in front of a place along `normal` the beam ended that a station before the face sent there, metres; minus
+    /// infinity where nothing returned.
+    fn ended(&self, map: &SightMap, place_world: &Vec3, normal: &Vec3) -> Option<f64> {
+        let Sighted { place_scanner, direction, cos, side, .. } = self.looked.sighted(map, place_world, normal);
+        let looks = side > 0.0 && cos >= self.looked.model.max_incidence.cos();
+        let beam = looks.then(|| map.towards(&direction)).flatten()?;
+        Some(beam.met().map_or(f64::NEG_INFINITY, |met| (met - place_scanner).dot(normal)))
+    }
+
     /// What the nearest station met near a sample, that no other object explains.
     fn met_at(&self, sample: usize, normal: &Vec3) -> Option<Met> {
         let place_world = self.evidence.samples.position(sample);
         let mut nearest: Option<(f64, Met)> = None;
-        for (map, sights) in self.maps.iter().enumerate() {
+        for (map, Outlook { map: sights, may_meet }) in self.outlooks.iter().enumerate() {
+            if !may_meet {
+                continue;
+            }
             let range = (place_world - sights.origin_world).norm();
             if nearest.as_ref().is_none_or(|n| range < n.0) {
                 let met = self.height(sights, &place_world, normal);
@@ -169,7 +194,7 @@ impl FarFaces<'_> {
         let (in_u, in_w, height) = (extent(&u), extent(&w), places[0].dot(normal) + deviation);
         let maps: BTreeSet<usize> = plane.iter().map(|m| m.map).collect();
         let (mut on, mut asked) = (0u32, 0u32);
-        for map in maps.into_iter().map(|m| self.maps[m]) {
+        for map in maps.into_iter().map(|m| self.outlooks[m].map) {
             let middle = u * (0.5 * (in_u.0 + in_u.1)) + w * (0.5 * (in_w.0 + in_w.1)) + normal * height;
             let beside = BESIDE_M + 1.5 * SightMap::CELL * (middle - map.origin_world).norm();
             for [x, y] in around(in_u, in_w, beside) {
@@ -190,6 +215,15 @@ fn around(in_u: (f64, f64), in_w: (f64, f64), beside: f64) -> impl Iterator<Item
         let (x, y) = (in_u.0 + part * (in_u.1 - in_u.0), in_w.0 + part * (in_w.1 - in_w.0));
         [[x, in_w.0 - beside], [x, in_w.1 + beside], [in_u.0 - beside, y], [in_u.1 + beside, y]]
     })
+}
+
+/// Whether most of what was met in a plane and behind it lies in it, or it holds more than any other. What stands about
+/// lies at all distances.
+fn stands_out(plane: &[Met], others: Vec<Met>, half: f64) -> bool {
+    let count = plane.len() as f64;
+    let lowest = plane.first().map_or(0.0, |met| met.height);
+    let behind = others.iter().filter(|met| met.height < lowest).count() as f64;
+    count >= MIN_IN_PLANE * (count + behind) || count >= TIMES_NEXT * densest(others, half).0.len() as f64
 }
 
 /// Those whose heights lie within ± `half` metres of each other, most of them; and those farther off than as much again.

@@ -6,8 +6,10 @@
 //! ([`FoundFace`](super::FoundFace)).
 
 mod far_face;
+mod horizon;
 mod second_look;
 mod sight_map;
+mod sphere_grid;
 mod survey;
 
 pub(super) use second_look::{Looked, Owner};

@@ -35,6 +35,13 @@ pub struct Looked<'a> {
     pub model: &'a EvidenceModel,
 }
 
+/// What a station saw of an object.
+pub struct Outlook<'a> {
+    pub map: &'a SightMap,
+    /// Whether its beams may have got as far as the object. If not, something hides it wherever they were sent towards it.
+    pub may_meet: bool,
+}
+
 /// A place as a station sees it.
 pub struct Sighted {
     /// From where its beams start, metres.
@@ -82,9 +89,13 @@ impl Kept {
 
 impl Looked<'_> {
     /// Why a sample was not seen, and which object hides it. World metres.
-    pub fn why(&self, maps: &[&SightMap], position_world: &Vec3, normal: &Vec3) -> (Why, Option<u32>) {
+    pub fn why(&self, outlooks: &[Outlook<'_>], position_world: &Vec3, normal: &Vec3) -> (Why, Option<u32>) {
         let mut least = Kept::Aside;
-        for map in maps {
+        for Outlook { map, may_meet } in outlooks {
+            let range = (position_world - map.origin_world).norm();
+            if !may_meet && !(Kept::Hidden { by: None, range }).is_less_than(&least) {
+                continue;
+            }
             let kept = self.kept(map, position_world, normal, &least);
             if kept.is_less_than(&least) {
                 least = kept;
@@ -123,7 +134,9 @@ impl Looked<'_> {
         let height = (met - place_scanner).dot(normal) * side;
         let as_designed = as_designed(self.model);
         let (met_world, beam_direction) = (met + map.origin_world, met.normalize());
-        if height > as_designed && met.norm() < range {
+        // At a glancing incidence little height is much on the way.
+        let before = range - met.norm();
+        if before > 0.0 && (height > as_designed || before > self.model.farthest() / self.model.max_incidence.cos()) {
             if !(Kept::Hidden { by: None, range }).is_less_than(least) {
                 return Kept::Aside;
             }

@@ -1,7 +1,7 @@
 //! Where the beams of one station ended, coarsely.
 
-use std::f64::consts::{PI, TAU};
-
+use super::horizon::Horizon;
+use super::sphere_grid::SphereGrid;
 use crate::geometry::Vec3;
 
 /// One beam a cell, the one nearest to its middle, so that the order in which beams come does not matter.
@@ -9,9 +9,9 @@ use crate::geometry::Vec3;
 pub struct SightMap {
     /// Where its beams start, world metres.
     pub origin_world: Vec3,
+    grid: SphereGrid,
     cells: Vec<Option<Sight>>,
-    /// First cell of each row, and behind the last.
-    rows: Vec<u32>,
+    horizon: Horizon,
 }
 
 /// Where a beam ended.
@@ -36,13 +36,8 @@ impl SightMap {
 
     /// Of a station at `origin_world`, metres, that looked nowhere yet.
     pub fn new(origin_world: Vec3) -> Self {
-        let count = (PI / SightMap::CELL).ceil() as usize;
-        let mut rows = vec![0];
-        for row in 0..count {
-            let elevation = (row as f64 + 0.5) * SightMap::CELL - 0.5 * PI;
-            rows.push(rows[row] + (TAU * elevation.cos().max(0.0) / SightMap::CELL).ceil().max(4.0) as u32);
-        }
-        Self { origin_world, cells: vec![None; rows[count] as usize], rows }
+        let grid = SphereGrid::new(Self::CELL);
+        Self { origin_world, cells: vec![None; grid.len()], grid, horizon: Horizon::new() }
     }
 
     /// Of how many neighbouring beams `step` radians apart one suffices.
@@ -52,7 +47,8 @@ impl SightMap {
 
     /// Remembers a beam: its unit direction and its range, metres, infinite without return.
     pub fn add(&mut self, direction: &Vec3, range: f64) {
-        let (cell, off) = self.place(direction);
+        let (cell, off) = self.grid.place(direction);
+        self.horizon.add(direction, range);
         let met = if range.is_finite() { direction * range } else { Vec3::repeat(f64::INFINITY) };
         let sight = Sight { met_scanner: met.map(|c| c as f32).into(), off };
         let order = |s: &Sight| (s.off.to_bits(), s.met_scanner.map(f32::to_bits));
@@ -63,23 +59,17 @@ impl SightMap {
 
     /// The beam sent nearest to a direction, if one was sent near it.
     pub fn towards(&self, direction: &Vec3) -> Option<Sight> {
-        let here = |d: &Vec3| self.cells[self.place(d).0];
+        let here = |d: &Vec3| self.cells[self.grid.place(d).0];
         let across = Vec3::z().cross(direction).try_normalize(1e-6).unwrap_or_else(Vec3::x);
         let up = direction.cross(&across);
         let beside = [across, -across, up, -up].map(|side| (direction + side * SightMap::CELL).normalize());
         here(direction).or_else(|| beside.iter().find_map(here))
     }
 
-    /// The cell of a direction, and its squared distance from the cell's middle in cells.
-    fn place(&self, direction: &Vec3) -> (usize, f32) {
-        let row = (direction.z.clamp(-1.0, 1.0).asin() + 0.5 * PI) / SightMap::CELL;
-        let row_number = (row as usize).min(self.rows.len() - 2);
-        let (start, end) = (self.rows[row_number], self.rows[row_number + 1]);
-        let columns = f64::from(end - start);
-        let column = (direction.y.atan2(direction.x) + PI) / TAU * columns;
-        let column_number = (column as u32).min(end - start - 1);
-        let off = (row - row_number as f64 - 0.5).powi(2) + (column - f64::from(column_number) - 0.5).powi(2);
-        ((start + column_number) as usize, off as f32)
+    /// Whether a beam towards a ball (world metres) may have got as near to it as `within` metres.
+    pub fn may_meet(&self, centre_world: &Vec3, radius: f64, within: f64) -> bool {
+        // A direction finds the beam of a neighbouring cell, too.
+        self.horizon.may_meet(&(centre_world - self.origin_world), radius, 2.5 * Self::CELL, within)
     }
 }
 

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use super::far_face::FarFaces;
-use super::second_look::Looked;
+use super::second_look::{Looked, Outlook};
 use super::sight_map::SightMap;
 use crate::scan::RangeImage;
 use crate::verify::evidence::{Evidence, FoundFace, Unseen, Why};
@@ -43,11 +43,18 @@ impl Sights {
     }
 
     /// The stations by their distance from an object: what the near ones tell saves asking the far ones.
-    fn nearest_first(&self, evidence: &Evidence) -> Vec<&SightMap> {
-        let centre = evidence.bounds.centre();
-        let mut maps: Vec<&SightMap> = self.maps.values().collect();
-        maps.sort_by(|a, b| (a.origin_world - centre).norm().total_cmp(&(b.origin_world - centre).norm()));
-        maps
+    fn nearest_first(&self, evidence: &Evidence) -> Vec<Outlook<'_>> {
+        let (centre, radius) = (evidence.bounds.centre(), 0.5 * evidence.bounds.diagonal());
+        let mut maps: Vec<(f64, &SightMap)> =
+            self.maps.values().map(|map| ((map.origin_world - centre).norm(), map)).collect();
+        maps.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let model = &evidence.model;
+        let outlook = |(distance, map)| {
+            // A beam that is as far off the plane of a face as the model looks, in a direction that a map's cell is off.
+            let off = model.farthest() + 2.0 * SightMap::CELL * (distance + radius);
+            Outlook { map, may_meet: SightMap::may_meet(map, &centre, radius, off / model.max_incidence.cos()) }
+        };
+        maps.into_iter().map(outlook).collect()
     }
 
     /// For an object that was not found where it is drawn, or without a number: its face that stands within the model's
@@ -58,8 +65,8 @@ impl Sights {
         looked: &Looked<'_>,
         interrupt: Interrupt,
     ) -> Result<Option<FoundFace>> {
-        let maps = self.nearest_first(evidence);
-        FarFaces { looked, maps: &maps, evidence, stride: stride(evidence) }.find(interrupt)
+        let outlooks = self.nearest_first(evidence);
+        FarFaces { looked, outlooks: &outlooks, evidence, stride: stride(evidence) }.find(interrupt)
     }
 
     /// Why the object of which `evidence` is was not seen, and the object that hides most of what is hidden by one.
@@ -70,7 +77,7 @@ impl Sights {
         interrupt: Interrupt,
     ) -> Result<(Option<Unseen>, Option<u32>)> {
         let samples = &evidence.samples;
-        let maps = self.nearest_first(evidence);
+        let outlooks = self.nearest_first(evidence);
         let (mut counts, mut hiders) = ([0u32; 7], BTreeMap::new());
         let stride = stride(evidence);
         let is_expected = samples.expects();
@@ -79,7 +86,7 @@ impl Sights {
             if !is_expected(face) {
                 continue;
             }
-            let (why, hider) = looked.why(&maps, &samples.position(i), &samples.normals[face]);
+            let (why, hider) = looked.why(&outlooks, &samples.position(i), &samples.normals[face]);
             counts[why as usize] += 1;
             hider.into_iter().for_each(|h| *hiders.entry(h).or_insert(0u32) += 1);
         }
