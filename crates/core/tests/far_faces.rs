@@ -88,6 +88,23 @@ fn a_displaced_panel_has_a_number_up_to_the_reach() {
     }
 }
 
+/// Cupboards that nobody drew hide most of a displaced panel: what is left of it is its place.
+#[test]
+fn what_hides_a_displaced_panel_does_not_speak_against_it() {
+    let near = ([4.6, -1.5, -1.2], [4.7, 0.3, 1.2]);
+    let nearer = ([3.5, -1.1, -0.9], [4.0, 0.4, 0.9]);
+    for (x, hidden_by) in [(-0.12, nearer), (-0.2, nearer), (0.2, near), (0.2, nearer), (0.28, near)] {
+        let summary = said(&[PANEL, FAR], &[moved(PANEL, x), hidden_by, FAR]);
+        assert_eq!(summary.verdict, Verdict::Deviating, "{x}: {summary:?}");
+        let (deviation, sd) = summary.deviation.unwrap_or_else(|| panic!("{x}: {summary:?}"));
+        assert!((deviation + x).abs() < (3.0 * sd).max(0.002), "{x}: {deviation} ± {sd}");
+        // Where the panel is missing, they are not taken for it.
+        let missing = said(&[PANEL, FAR], &[hidden_by, FAR]);
+        assert!(matches!(missing.verdict, Verdict::Absent | Verdict::Unobserved), "{x}: {missing:?}");
+        assert_eq!(missing.deviation, None);
+    }
+}
+
 #[test]
 fn it_is_looked_for_as_far_as_asked() {
     let built = [moved(PANEL, 0.4), FAR];

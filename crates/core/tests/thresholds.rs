@@ -30,10 +30,11 @@ const PLACES: [&str; 17] = [
 ];
 
 /// Numbers of layouts, of fixed-point units and of tables: nothing is judged by them.
-const NOT_JUDGING: [&str; 17] = [
+const NOT_JUDGING: [&str; 18] = [
     "BEAMS_IN_KERNEL",
     "BLOCK",
     "CHUNK",
+    "LANES",
     "DEVIATION",
     "KERNEL_STEPS",
     "LEN",

@@ -70,11 +70,13 @@ impl AngularGrid {
 
     /// Columns and rows of the cells that hold everything within the rectangle of the image plane at unit distance.
     pub fn cells_in(&self, min: [f64; 2], max: [f64; 2]) -> [Range<usize>; 2] {
-        [(0, self.columns), (1, self.rows)].map(|(k, count)| {
-            let index = |x: f64| ((x - self.low[k]) / self.cell).floor().clamp(-1.0, count as f64) as isize;
-            let (first, last) = (index(min[k]).max(0), index(max[k]).min(count as isize - 1));
-            first as usize..(last + 1).max(first) as usize
-        })
+        let along = |k: usize, count: usize| {
+            // The cell before the first holds all that lies before it.
+            let after = |x: f64| ((x - self.low[k]) / self.cell + 1.0).clamp(0.0, (count + 1) as f64) as usize;
+            let (first, end) = (after(min[k]).max(1) - 1, after(max[k]).min(count));
+            first..end.max(first)
+        };
+        [along(0, self.columns), along(1, self.rows)]
     }
 
     /// The rectangle that holds all, in the image plane at unit distance.

@@ -15,6 +15,9 @@ const MAX_DEVIATION_M: f64 = 1.0;
 /// Parts of an object whose normals differ by less (30°) may be taken for each other where it is displaced.
 const PARALLEL_COS: f64 = 0.866;
 
+/// Places that are compared with a sample at once.
+pub const LANES: usize = 8;
+
 /// What one beam met.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BeamOutcome {
@@ -27,8 +30,9 @@ pub enum BeamOutcome {
 /// The beams that tell something, in the cells of an angular grid by the place that they tell of.
 #[derive(Debug)]
 pub struct BeamOutcomes {
-    /// Place on the drawn surface relative to the scanner, metres: x, y and z of all.
-    pub places_scanner: [Vec<f32>; 3],
+    /// Place on the drawn surface relative to the scanner, metres: x, y and z of all, and [`LANES`] behind them that are
+    /// none.
+    places_scanner: [Vec<f32>; 3],
     /// Unit normal there, towards the scanner.
     pub normals: Vec<[f32; 3]>,
     pub outcomes: Vec<BeamOutcome>,
@@ -74,7 +78,7 @@ impl BeamOutcomes {
     fn laid_out(all: &[PlacedOutcome], step: f64, widest: f64) -> Self {
         let image: Vec<[f64; 2]> = all.iter().map(|e| e.uv).collect();
         let (grid, slots) = AngularGrid::sort(&image, step);
-        let zeros = || vec![0f32; all.len()];
+        let zeros = || vec![0f32; all.len() + LANES];
         let mut places_scanner = [zeros(), zeros(), zeros()];
         let mut normals = vec![[0.0; 3]; all.len()];
         let mut outcomes = vec![BeamOutcome::SeenThrough { weight: 0.0 }; all.len()];
@@ -87,6 +91,13 @@ impl BeamOutcomes {
             outcomes[slot] = e.outcome;
         }
         Self { places_scanner, normals, outcomes, grid, widest }
+    }
+
+    /// x, y and z of the places from a slot on, metres from the scanner.
+    #[inline(always)]
+    pub fn lanes(&self, first: usize) -> Option<[&[f32; LANES]; 3]> {
+        let [xs, ys, zs] = &self.places_scanner;
+        Some([xs.get(first..)?.first_chunk()?, ys.get(first..)?.first_chunk()?, zs.get(first..)?.first_chunk()?])
     }
 
     /// Slot ranges that hold all places within the image rectangle (and some around it).

@@ -41,6 +41,19 @@ struct Polynomial {
     coefficients: TermVector,
 }
 
+/// What one sample asks of the coefficients: row · coefficients = deviation (metres).
+#[derive(Debug, Clone, Copy)]
+struct Equation {
+    row: TermVector,
+    deviation: f64,
+}
+
+impl Equation {
+    fn residual(&self, coefficients: &TermVector) -> f64 {
+        self.deviation - coefficients.dot(&self.row)
+    }
+}
+
 impl DeviationTrend {
     /// Robust fit: least median of residuals over three samples each (Rousseeuw 1984), refined by Tukey's biweight.
     /// `None` without samples.
@@ -49,7 +62,9 @@ impl DeviationTrend {
             return Ok(None);
         }
         let few: Vec<DeviationSample> = samples.iter().step_by(samples.len().div_ceil(MAX_FITTED)).copied().collect();
-        Polynomial::level(&few).least_median(&few).refined(&few, interrupt)
+        let level = Polynomial::level(&few);
+        let equations: Vec<Equation> = few.iter().map(|o| level.equation(o)).collect();
+        level.least_median(&few, &equations).refined(&equations, interrupt)
     }
 
     /// Whether the surface is a lateral surface.
@@ -110,22 +125,26 @@ impl Polynomial {
         median(&mut slopes).is_some_and(|s| s <= MAX_SLOPE)
     }
 
-    fn least_median(self, samples: &[DeviationSample]) -> Self {
-        let judges: Vec<&DeviationSample> = samples.iter().step_by(samples.len().div_ceil(JUDGES)).collect();
+    fn equation(&self, o: &DeviationSample) -> Equation {
+        Equation { row: self.basis.row(o), deviation: o.deviation }
+    }
+
+    fn least_median(self, samples: &[DeviationSample], equations: &[Equation]) -> Self {
+        let stride = samples.len().div_ceil(JUDGES);
         let cost = |c: &Self| {
-            let mut off: Vec<f64> = judges.iter().map(|o| c.residual(o).abs()).collect();
-            median(&mut off).unwrap_or(f64::INFINITY)
+            let off = equations.iter().step_by(stride).map(|e| e.residual(&c.coefficients).abs());
+            median(&mut off.collect::<Vec<_>>()).unwrap_or(f64::INFINITY)
         };
         let mut best = (cost(&self), self.clone());
         for trial in 0..TRIALS {
             // Weyl sequences (golden ratio, √2, √3): the same samples every time, spread over the surface.
             let three = [0.618_033_988_749_895, 0.414_213_562_373_095, 0.732_050_807_568_877].map(|irrational| {
                 let x = ((trial + 1) as f64 * irrational).fract();
-                &samples[(x * samples.len() as f64) as usize]
+                &equations[(x * equations.len() as f64) as usize]
             });
             let Some(candidate) = self.through(three) else { continue };
             let c = cost(&candidate);
-            if c < best.0 && candidate.is_surface(judges.iter().copied()) {
+            if c < best.0 && candidate.is_surface(samples.iter().step_by(stride)) {
                 best = (c, candidate);
             }
         }
@@ -133,30 +152,29 @@ impl Polynomial {
     }
 
     /// With other coefficients of the first three terms, so that it passes through three samples.
-    fn through(&self, three: [&DeviationSample; 3]) -> Option<Self> {
-        let rows = Matrix3::from_rows(&three.map(|o| self.basis.row(o).fixed_rows::<3>(0).transpose()));
-        let head = rows.try_inverse()? * Vec3::from(three.map(|o| o.deviation));
+    fn through(&self, three: [&Equation; 3]) -> Option<Self> {
+        let rows = Matrix3::from_rows(&three.map(|e| e.row.fixed_rows::<3>(0).transpose()));
+        let head = rows.try_inverse()? * Vec3::from(three.map(|e| e.deviation));
         let mut candidate = self.clone();
         candidate.coefficients.fixed_rows_mut::<3>(0).copy_from(&head);
         Some(candidate)
     }
 
-    fn refined(mut self, samples: &[DeviationSample], interrupt: Interrupt) -> Result<Option<DeviationTrend>> {
+    fn refined(mut self, equations: &[Equation], interrupt: Interrupt) -> Result<Option<DeviationTrend>> {
         let mut spread = 0.0;
         for _ in 0..ROUNDS {
             poll(interrupt)?;
-            let mut residuals: Vec<f64> = samples.iter().map(|o| self.residual(o)).collect();
+            let mut residuals: Vec<f64> = equations.iter().map(|e| e.residual(&self.coefficients)).collect();
             spread = median_and_spread(&mut residuals).map_or(0.0, |m| m.1);
             poll(interrupt)?;
             let scale = spread.max(MIN_SCALE_M);
             let mut normal_matrix = SMatrix::<f64, TERMS, TERMS>::zeros();
             let mut right = TermVector::zeros();
-            for (i, o) in samples.iter().enumerate() {
+            for (i, e @ Equation { row, deviation }) in equations.iter().enumerate() {
                 poll_now_and_then(i, interrupt)?;
-                let w = tukey(self.residual(o), scale);
-                let row = self.basis.row(o);
+                let w = tukey(e.residual(&self.coefficients), scale);
                 normal_matrix += row * row.transpose() * w;
-                right += row * (w * o.deviation);
+                right += row * (w * deviation);
             }
             // A strip of samples has no slope across: the pseudo-inverse leaves it at zero.
             if !eigen::is_tame(&normal_matrix) {
