@@ -17,8 +17,8 @@ pub const MIN_DECIDED: f64 = 0.2;
 /// is not known.
 pub const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
 /// Least number of samples' worth of independent measurements that must show the object before it is confirmed: some
-/// 45 beams.
-pub const MIN_INDEPENDENT: f64 = 5.0;
+/// twenty beams.
+pub const MIN_INDEPENDENT: f64 = 2.0;
 /// A surface counts as well seen with this share of the object's samples that have one.
 pub const WELL_SEEN_SHARE: f64 = 0.03;
 /// It must have at least as many.
