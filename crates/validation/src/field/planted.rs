@@ -232,8 +232,9 @@ pub fn run(report: Option<&Path>) -> Result<()> {
     }
     let text = told(&shifts, &added);
     print!("{text}");
+    let page = format!("{}{text}", include_str!("planted.md"));
     report
-        .map_or(Ok(()), |path| std::fs::write(path, &text).with_context(|| format!("{}: cannot write", path.display())))
+        .map_or(Ok(()), |path| std::fs::write(path, &page).with_context(|| format!("{}: cannot write", path.display())))
 }
 
 fn moved(solid: &Solid, by: &Vec3) -> Result<Solid> {
