@@ -71,9 +71,9 @@ impl AngularGrid {
     /// Columns and rows of the cells that hold everything within the rectangle of the image plane at unit distance.
     pub fn cells_in(&self, min: [f64; 2], max: [f64; 2]) -> [Range<usize>; 2] {
         let along = |k: usize, count: usize| {
-            // The cell before the first holds all that lies before it.
-            let after = |x: f64| ((x - self.low[k]) / self.cell + 1.0).clamp(0.0, (count + 1) as f64) as usize;
-            let (first, end) = (after(min[k]).max(1) - 1, after(max[k]).min(count));
+            let cell = |x: f64| ((x - self.low[k]) / self.cell).clamp(0.0, count as f64) as usize;
+            let end = if max[k] < self.low[k] { 0 } else { (cell(max[k]) + 1).min(count) };
+            let first = cell(min[k]);
             first..end.max(first)
         };
         [along(0, self.columns), along(1, self.rows)]

@@ -35,9 +35,8 @@ impl Window {
         let mut window = Self { min: max, max: min, depth: depth.max(0.0) };
         for c in corners {
             for k in 0..2 {
-                let place = if c[2] > 0.0 { c[k] / c[2] } else { f64::NAN };
                 // At the scanner itself a corner is everywhere.
-                let (low, high) = if place.is_nan() { (min[k], max[k]) } else { (place, place) };
+                let (low, high) = if c[2] > 0.0 { (c[k] / c[2], c[k] / c[2]) } else { (min[k], max[k]) };
                 window.min[k] = window.min[k].min(low - SLACK);
                 window.max[k] = window.max[k].max(high + SLACK);
             }

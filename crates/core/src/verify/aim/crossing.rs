@@ -58,6 +58,9 @@ pub struct Depth {
 }
 
 impl Depth {
+    #[cfg(test)]
+    pub const EVERYWHERE: Self = Self { farthest: f64::INFINITY, behind: f64::INFINITY };
+
     /// Whether any beam towards what has these corners (from the scanner, metres), and is no nearer than `nearest` metres,
     /// can tell of it.
     pub fn reaches(&self, view: &RangeImage, corners_scanner: &[Vec3], nearest: f64) -> bool {
@@ -185,8 +188,6 @@ mod tests {
     use crate::scan::{Beam, Patch};
     use rand::{Rng, SeedableRng};
 
-    const EVERYWHERE: Depth = Depth { farthest: f64::INFINITY, behind: f64::INFINITY };
-
     /// Brute force: Möller-Trumbore on every triangle, front faces only.
     fn first_hit(solid: &Solid, origin: &Vec3, d: &Vec3) -> f64 {
         let mut best = f64::INFINITY;
@@ -229,7 +230,7 @@ mod tests {
             let bytes = Patch::encode(0, origin, 2e-2, 1e-4, &beams).unwrap().to_bytes();
             let (header, content) = Patch::beams_of(&bytes).unwrap();
             let view = RangeImage::new(header, &content.beams);
-            let got = crossings(&Target::new(solid, NEVER).unwrap(), &view, &EVERYWHERE, NEVER).unwrap();
+            let got = crossings(&Target::new(solid, NEVER).unwrap(), &view, &Depth::EVERYWHERE, NEVER).unwrap();
             for slot in 0..view.len() {
                 let want = first_hit(solid, &origin, &view.directions[slot]);
                 let found = got.binary_search_by_key(&(slot as u32), |c| c.slot).map(|i| got[i].distance);

@@ -243,8 +243,6 @@ mod tests {
     use crate::scan::{Beam, Patch};
     use crate::verify::aim::{Claims, Depth, Target, crossings};
 
-    const EVERYWHERE: Depth = Depth { farthest: f64::INFINITY, behind: f64::INFINITY };
-
     /// A wall whose face is drawn at x = `face`.
     fn wall(face: f64) -> Target {
         Target::new(&Solid::cuboid([face, -60.0, -1.0], [face + 0.2, 60.0, 1.0]).unwrap(), NEVER).unwrap()
@@ -261,9 +259,9 @@ mod tests {
         let mut claims = Claims::none(view.len());
         if let Some(face) = other {
             let other = wall(face);
-            claims.stake_all(&view, &other, &crossings(&other, &view, &EVERYWHERE, NEVER).unwrap(), 1);
+            claims.stake_all(&view, &other, &crossings(&other, &view, &Depth::EVERYWHERE, NEVER).unwrap(), 1);
         }
-        let crossings = crossings(&target, &view, &EVERYWHERE, NEVER).unwrap();
+        let crossings = crossings(&target, &view, &Depth::EVERYWHERE, NEVER).unwrap();
         let others = other.map(|_| claims.of_others_than(0));
         BeamOutcomes::of(&view, &AimedAt { target: &target, crossings: &crossings, others }, model, Some, NEVER)
             .unwrap()
@@ -329,7 +327,7 @@ mod tests {
     #[test]
     fn what_is_not_kept_tells_nothing() {
         let (view, target, model) = (view(at(3.0), 0), wall(3.0), EvidenceModel::default());
-        let crossings = crossings(&target, &view, &EVERYWHERE, NEVER).unwrap();
+        let crossings = crossings(&target, &view, &Depth::EVERYWHERE, NEVER).unwrap();
         let aimed = AimedAt { target: &target, crossings: &crossings, others: None };
         assert!(BeamOutcomes::of(&view, &aimed, &model, |_| None, NEVER).unwrap().is_none());
         let weaker = |_| Some(BeamOutcome::SeenThrough { weight: 0.5 });

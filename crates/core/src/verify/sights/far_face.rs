@@ -8,7 +8,7 @@
 use std::collections::BTreeSet;
 
 use super::second_look::{Looked, Outlook, Owner, Sighted};
-use super::sight_map::SightMap;
+use super::sight_map::{Sight, SightMap};
 use crate::geometry::{FaceKind, Vec3, perpendiculars};
 use crate::num::stats::{MEDIAN_SD, median_and_spread};
 use crate::verify::evidence::{Evidence, FoundFace};
@@ -127,8 +127,8 @@ impl FarFaces<'_> {
         for (round, &sample) in of_face.iter().enumerate() {
             poll_now_and_then(round, interrupt)?;
             let place_world = self.evidence.samples.position(sample);
-            let heights = || self.outlooks.iter().filter_map(|o| self.ended(o.map, &place_world, normal));
-            hidden += usize::from(heights().next().is_some() && heights().all(|height| height > above));
+            let mut heights = self.outlooks.iter().filter_map(|o| self.ended(o.map, &place_world, normal)).peekable();
+            hidden += usize::from(heights.peek().is_some() && heights.all(|height| height > above));
         }
         Ok(hidden)
     }
@@ -136,10 +136,16 @@ impl FarFaces<'_> {
     /// How far in front of a place along `normal` the beam ended that a station before the face sent there, metres; minus
     /// infinity where nothing returned.
     fn ended(&self, map: &SightMap, place_world: &Vec3, normal: &Vec3) -> Option<f64> {
-        let Sighted { place_scanner, direction, cos, side, .. } = self.looked.sighted(map, place_world, normal);
-        let looks = side > 0.0 && cos >= self.looked.model.max_incidence.cos();
-        let beam = looks.then(|| map.towards(&direction)).flatten()?;
-        Some(beam.met().map_or(f64::NEG_INFINITY, |met| (met - place_scanner).dot(normal)))
+        let (sighted, beam) = self.beam(map, place_world, normal).filter(|(sighted, _)| sighted.side > 0.0)?;
+        Some(beam.met().map_or(f64::NEG_INFINITY, |met| (met - sighted.place_scanner).dot(normal)))
+    }
+
+    /// The beam that a station sent towards a place, unless it would meet a face there too steeply.
+    fn beam(&self, map: &SightMap, place_world: &Vec3, normal: &Vec3) -> Option<(Sighted, Sight)> {
+        let sighted = self.looked.sighted(map, place_world, normal);
+        let looks = sighted.cos >= self.looked.model.max_incidence.cos();
+        let beam = looks.then(|| map.towards(&sighted.direction)).flatten()?;
+        Some((sighted, beam))
     }
 
     /// What the nearest station met near a sample, that no other object explains.
@@ -165,11 +171,7 @@ impl FarFaces<'_> {
     /// How far in front of a place along `normal` the beam ended that a station sent there, metres, and which beam it was;
     /// `None` where it tells nothing.
     fn height(&self, map: &SightMap, place_world: &Vec3, normal: &Vec3) -> Option<(f64, [u32; 3])> {
-        let Sighted { place_scanner, direction, cos, .. } = self.looked.sighted(map, place_world, normal);
-        if cos < self.looked.model.max_incidence.cos() {
-            return None;
-        }
-        let beam = map.towards(&direction)?;
+        let (Sighted { place_scanner, .. }, beam) = self.beam(map, place_world, normal)?;
         let met = beam.met()?;
         let height = (met - place_scanner).dot(normal);
         if height.abs() > self.looked.model.reach {

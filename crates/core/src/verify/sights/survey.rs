@@ -49,12 +49,13 @@ impl Sights {
             self.maps.values().map(|map| ((map.origin_world - centre).norm(), map)).collect();
         maps.sort_by(|a, b| a.0.total_cmp(&b.0));
         let model = &evidence.model;
-        let outlook = |(distance, map)| {
-            // A beam that is as far off the plane of a face as the model looks, in a direction that a map's cell is off.
-            let off = model.farthest() + 2.0 * SightMap::CELL * (distance + radius);
-            Outlook { map, may_meet: SightMap::may_meet(map, &centre, radius, off / model.max_incidence.cos()) }
-        };
-        maps.into_iter().map(outlook).collect()
+        maps.into_iter()
+            .map(|(distance, map)| {
+                // A beam that is as far off the plane of a face as the model looks, in a direction that a map's cell is off.
+                let off = model.farthest() + 2.0 * SightMap::CELL * (distance + radius);
+                Outlook { map, may_meet: map.may_meet(&centre, radius, off / model.max_incidence.cos()) }
+            })
+            .collect()
     }
 
     /// For an object that was not found where it is drawn, or without a number: its face that stands within the model's
