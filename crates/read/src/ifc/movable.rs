@@ -48,8 +48,9 @@ fn leaves(units: &[Unit], outline: &Outline, product: &Product, is_door: bool) -
     let are_told_apart = is_door || units.iter().any(is_opaque_other);
     let is_named = |u: &Unit| part(u).role == Role::Leaf && are_told_apart;
     let is_frame = |u: &Unit| match part(u).role {
-        Role::Frame => true,
-        _ if is_named(u) || part(u).is_transparent => false,
+        Role::Frame if !is_door => true,
+        Role::Unknown | Role::Leaf if is_named(u) || part(u).is_transparent => false,
+        // The stiles and rails of a door's leaf are called a frame, too.
         _ => outline.is_reached_by(u, if is_door { MAX_THRESHOLD } else { f64::INFINITY }),
     };
     let inner: Vec<&Unit> = units.iter().filter(|u| !is_frame(u)).collect();

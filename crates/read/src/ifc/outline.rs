@@ -8,6 +8,8 @@ use super::Product;
 
 /// Places that differ by less than this share of the object's extent are the same: 5 mm of 1 m.
 const SAME: f64 = 0.005;
+/// What stands on the floor, as a threshold does, ends as far below as the object, metres; a leaf hangs higher.
+const ON_FLOOR_M: f64 = 0.002;
 /// Cosine between directions that are the same.
 const PARALLEL: f64 = 0.999;
 /// Most directions that an object's faces are sorted into: its own are among the largest.
@@ -122,7 +124,8 @@ impl Outline {
         let reaches = |k: usize, end: usize| (unit.extent[k][end] - self.extent[k][end]).abs() <= self.same(k);
         let height = |e: &Extent| e[1][1] - e[1][0];
         let is_low = height(&unit.extent) <= highest * height(&self.extent);
-        reaches(0, 0) || reaches(0, 1) || reaches(1, 1) || (reaches(1, 0) && is_low)
+        let is_on_floor = (unit.extent[1][0] - self.extent[1][0]).abs() <= ON_FLOOR_M;
+        reaches(0, 0) || reaches(0, 1) || reaches(1, 1) || (is_on_floor && is_low)
     }
 
     /// Whether a piece lies within another, seen along the normal of the plane.

@@ -130,3 +130,16 @@ fn the_house_is_read_whole() {
         assert!((volume / 0.0876 - 1.0).abs() < 1e-3, "{}: {volume} m³", rafter.name);
     }
 }
+
+/// Of every door the lining stays and the leaf moves, with panes and handles, though of steel both are called a frame.
+#[test]
+fn of_doors_the_lining_stays_and_the_leaf_moves() {
+    for name in ["office.ifc", "house.ifc"] {
+        let doors = model(&shipped(&format!("models/{name}"))).unwrap().products.into_iter();
+        for door in doors.filter(|p| p.ifc_class == "IfcDoor") {
+            let moves: Vec<bool> = door.parts.iter().map(|p| p.is_movable).collect();
+            let expected: Vec<bool> = (0..moves.len()).map(|part| part > 0).collect();
+            assert_eq!(moves, expected, "{}", door.shown());
+        }
+    }
+}

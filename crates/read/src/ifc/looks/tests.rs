@@ -273,6 +273,22 @@ fn sashes_move_and_panes_in_a_frame_do_not() {
     assert_eq!(window(&sash, pane, opens)[4..], [true; 5]);
 }
 
+/// A leaf hangs above its threshold: what is screwed on at its foot, a kick plate, goes with it.
+#[test]
+fn a_kick_plate_moves_with_its_leaf() {
+    let boxes: [Cuboid; 6] = [
+        [[0.0, 0.0, 0.0], [0.05, 0.1, 2.0]],
+        [[0.95, 0.0, 0.0], [1.0, 0.1, 2.0]],
+        [[0.05, 0.0, 1.95], [0.95, 0.1, 2.0]],
+        [[0.05, 0.0, 0.0], [0.95, 0.1, 0.008]],
+        [[0.05, 0.02, 0.01], [0.95, 0.06, 1.95]],
+        [[0.06, 0.0, 0.01], [0.94, 0.02, 0.1]],
+    ];
+    let mut drawn = Drawn::new("IFCDOOR");
+    let items: Vec<u32> = boxes.into_iter().map(|b| drawn.item(b)).collect();
+    assert_eq!(movable(&drawn.of(&items)), [false, false, false, false, true, true]);
+}
+
 /// Objects by class in the models of others: how many there are, with transparent parts, with movable ones.
 type Counts = std::collections::BTreeMap<String, [usize; 3]>;
 
