@@ -1,7 +1,9 @@
 //! `ab_change_table(objects, old_scans, new_scans, …)`: what became of every object between two epochs.
 
 use asbuilt_core::geometry::Solid;
-use asbuilt_core::verify::{Batch, Evidence, EvidenceModel, ObjectChange, ObjectChangeClass, SurveyObjects, Verifier};
+use asbuilt_core::verify::{
+    Batch, Evidence, EvidenceModel, ObjectChange, ObjectChangeClass, Sights, SurveyObjects, SurveyedEpoch, Verifier,
+};
 use asbuilt_core::{Error, Result};
 
 use super::evidence_model::{ModelArg, model_or_default};
@@ -17,10 +19,16 @@ struct Epoch<'a> {
 }
 
 impl Epoch<'_> {
-    /// The evidence about the objects of a batch.
-    fn evidence(&self, call: &Args, batch: &Batch, crew: &WorkerPool) -> Result<Vec<(u32, Evidence)>> {
+    /// The evidence about the objects of a batch; `sights` remember all beams.
+    fn evidence(
+        &self,
+        call: &Args,
+        batch: &Batch,
+        sights: Option<&mut Sights>,
+        crew: &WorkerPool,
+    ) -> Result<Vec<(u32, Evidence)>> {
         let mut verifier = crew.run(|interrupt| Verifier::new(self.objects, batch, crew.threads(), interrupt))?;
-        absorb_scans(call, self.what, self.scans, &mut verifier, None, crew)?;
+        absorb_scans(call, self.what, self.scans, &mut verifier, sights, crew)?;
         Ok(verifier.into_evidence().collect())
     }
 }
@@ -28,14 +36,25 @@ impl Epoch<'_> {
 /// What became of every object, by its number.
 fn changes(call: &Args, old: &Epoch, new: &Epoch, crew: &WorkerPool) -> Result<Vec<Option<ObjectChange>>> {
     let mut out: Vec<Option<ObjectChange>> = (0..old.objects.len()).map(|_| None).collect();
-    for batch in old.objects.batches() {
-        let both = old.evidence(call, &batch, crew)?.into_iter().zip(new.evidence(call, &batch, crew)?);
-        let pairs: Vec<((u32, Evidence), (u32, Evidence))> = both.collect();
-        let found = crew.run(|interrupt| {
-            crew.threads().map(&pairs, |((_, old), (_, new))| ObjectChange::between(old, new, interrupt))
+    let mut sights = [Sights::default(), Sights::default()];
+    for (round, batch) in old.objects.batches().iter().enumerate() {
+        let [of_old, of_new] = sights.each_mut().map(|sights| (round == 0).then_some(sights));
+        let before = old.evidence(call, batch, of_old, crew)?;
+        let after = new.evidence(call, batch, of_new, crew)?;
+        let pairs = before.into_iter().zip(after).map(|((object, old), (_, new))| (object, [old, new], None));
+        let mut pairs: Vec<(u32, [Evidence; 2], Option<ObjectChange>)> = pairs.collect();
+        let epochs = [
+            SurveyedEpoch { objects: old.objects, sights: &sights[0] },
+            SurveyedEpoch { objects: new.objects, sights: &sights[1] },
+        ];
+        crew.run(|interrupt| {
+            crew.threads().for_each(&mut pairs, |(object, both, change)| {
+                *change = Some(ObjectChange::looking_beside(*object, both.each_mut(), epochs, interrupt)?);
+                Ok(())
+            })
         })?;
-        for (((object, _), _), change) in pairs.iter().zip(found) {
-            out[*object as usize] = Some(change);
+        for (object, _, change) in pairs {
+            out[object as usize] = change;
         }
     }
     Ok(out)

@@ -4,7 +4,7 @@ use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::{Solid, Vec3};
 use asbuilt_core::scan::{Beam, Patch};
 use asbuilt_core::verify::{
-    Evidence, EvidenceModel, ObjectChange, ObjectChangeClass as Class, Question, SurveyObjects, Threads,
+    Evidence, EvidenceModel, ObjectChange, ObjectChangeClass as Class, Question, SurveyObjects, SurveyedEpoch, Threads,
 };
 use asbuilt_core::{Error, NEVER};
 
@@ -21,6 +21,15 @@ fn drawn() -> [Solid; 2] {
 /// What a station at the origin says of panel and wall where it meets planes at x = `distance`, by row and column of its
 /// beams, from -1 to 1; nothing where it has no beam.
 fn epoch(distance: impl Fn(f64, f64) -> Option<f64>) -> [Evidence; 2] {
+    gathered(objects(EvidenceModel::default()), &scanned(distance)).try_into().unwrap()
+}
+
+fn objects(model: EvidenceModel) -> Vec<(Solid, EvidenceModel)> {
+    drawn().map(|solid| (solid, model)).into()
+}
+
+/// The station's patches.
+fn scanned(distance: impl Fn(f64, f64) -> Option<f64>) -> Vec<Vec<u8>> {
     let beam = |i: usize| {
         let [y, z] = [i % SIDE, i / SIDE].map(|k| (2.0 * k as f64 + 1.0) / SIDE as f64 - 1.0);
         let half = STEP * 0.5 * SIDE as f64;
@@ -28,10 +37,8 @@ fn epoch(distance: impl Fn(f64, f64) -> Option<f64>) -> [Evidence; 2] {
         distance(y, z).map(|x| Beam { offset: ray * x, returned: true })
     };
     let beams: Vec<Beam> = (0..SIDE * SIDE).filter_map(beam).collect();
-    let objects = drawn().map(|solid| (solid, EvidenceModel::default()));
     let patch = |beams| Patch::encode(1, Vec3::zeros(), STEP, 1e-4, beams).unwrap().to_bytes();
-    let patches: Vec<Vec<u8>> = beams.chunks(4096).map(patch).collect();
-    gathered(objects.into(), &patches).try_into().unwrap()
+    beams.chunks(4096).map(patch).collect()
 }
 
 fn gathered(objects: Vec<(Solid, EvidenceModel)>, patches: &[Vec<u8>]) -> Vec<Evidence> {
@@ -122,6 +129,45 @@ fn how_far_it_moved() {
         // One station an epoch, each registered to a millimetre.
         assert!((sd / (0.001 * 2f64.sqrt()) - 1.0).abs() < 0.05, "{sd}");
         assert_eq!(change.class == Class::Moved, by.abs() > 0.0043 * 2f64.sqrt(), "{by}");
+    }
+}
+
+/// What all stations of an epoch have wrong moves nothing.
+#[test]
+fn a_datum_moves_nothing() {
+    let model = EvidenceModel { sigma_model: 0.003, ..EvidenceModel::default() };
+    let [old, new] = [4.8, 4.808].map(|x| gathered(objects(model), &scanned(|_, _| Some(x))));
+    let change = ObjectChange::between(&old[0], &new[0], NEVER).unwrap();
+    let displacement = change.displacement.expect("both epochs saw its face");
+    assert!((displacement.shift.vector.x - 0.008).abs() < 2e-4);
+    let sd = 2f64.sqrt() * 0.001f64.hypot(0.003);
+    assert!((displacement.shift.sd(0) / sd - 1.0).abs() < 0.05 && (displacement.floor / (3.0 * sd) - 1.0).abs() < 1e-9);
+    assert_eq!(change.class, Class::Unchanged);
+}
+
+/// What left its place and stands beside it was moved, however far; what stands nowhere near is gone.
+#[test]
+fn what_stands_beside_its_place_was_moved() {
+    let model = EvidenceModel { reach: 0.3, ..EvidenceModel::default() };
+    let panel_only = |model| SurveyObjects::new(vec![(drawn()[0].clone(), model)], Threads::Own, NEVER).unwrap();
+    let within = |x: f64| move |y: f64, z: f64| Some(if y.abs().max(z.abs()) < 0.85 { x } else { 9.0 });
+    let objects = panel_only(model);
+    let surveyed = |x: f64| objects.evidence_and_sights(&scanned(within(x)), 1, Threads::Own, NEVER).unwrap();
+    let between = |from: f64, to: f64| {
+        let [mut old, mut new] = [surveyed(from), surveyed(to)];
+        let epochs = [&old.1, &new.1].map(|sights| SurveyedEpoch { objects: &objects, sights });
+        ObjectChange::looking_beside(0, [&mut old.0[0], &mut new.0[0]], epochs, NEVER).unwrap()
+    };
+    for (from, to, class) in
+        [(4.8, 5.0, Class::Moved), (5.0, 4.8, Class::Moved), (4.8, 7.0, Class::Gone), (7.0, 4.8, Class::Appeared)]
+    {
+        let change = between(from, to);
+        assert_eq!(change.class, class, "{from} to {to}: {change:?}");
+        if class == Class::Moved {
+            let shift = change.displacement.expect("the face was seen in both").shift;
+            assert!((shift.vector.x - (to - from)).abs() < 3.0 * shift.sd(0), "{shift:?}");
+            assert!(shift.determines(0) && !shift.determines(1) && !shift.determines(2));
+        }
     }
 }
 

@@ -27,7 +27,7 @@ mod sights;
 mod surface;
 mod verdict;
 
-pub use change::{Displacement, ObjectChange, ObjectChangeClass, PairedSamples};
+pub use change::{Displacement, ObjectChange, ObjectChangeClass, PairedSamples, SurveyedEpoch};
 pub use collect::{Batch, Collector, SurveyObjects, Threads, Verifier};
 pub use evidence::{Evidence, EvidenceHeader, FoundFace, Samples, StationEvidence, StationOrigin, Unseen, Why};
 pub use model::{EvidenceModel, IntensityNoise, ModelKind, Question};

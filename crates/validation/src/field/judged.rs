@@ -5,7 +5,7 @@ use asbuilt_core::NEVER;
 use asbuilt_core::evidence::Loa;
 use asbuilt_core::geometry::Solid;
 use asbuilt_core::verify::{
-    Evidence, EvidenceModel, Judged, Question, Summary, SurveyObjects, Threads, Verdict, VerdictRule,
+    Evidence, EvidenceModel, Judged, Question, Sights, Summary, SurveyObjects, Threads, Verdict, VerdictRule,
 };
 use asbuilt_fieldscan::Receiver;
 use rayon::prelude::*;
@@ -49,10 +49,11 @@ pub fn verified(scene: &Scene, delivery: Delivery) -> Result<Vec<(Evidence, Judg
     Ok(objects.verified(&patches, 32, &VerdictRule::default(), Threads::Pool, NEVER)?)
 }
 
-/// The evidence of every object alone, without a second look.
-pub fn evidence(scene: &Scene, delivery: Delivery) -> Result<Vec<Evidence>> {
-    let (objects, patches) = survey(scene, delivery)?;
-    Ok(objects.evidence(&patches, 32, Threads::Pool, NEVER)?)
+/// The objects by station, the evidence of each, and where all beams ended.
+pub fn evidence(scene: &Scene) -> Result<(SurveyObjects, Vec<Evidence>, Sights)> {
+    let (objects, patches) = survey(scene, Delivery::Stations)?;
+    let (evidence, sights) = objects.evidence_and_sights(&patches, 32, Threads::Pool, NEVER)?;
+    Ok((objects, evidence, sights))
 }
 
 /// All drawn objects, and the patches that are delivered.

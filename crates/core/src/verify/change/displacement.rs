@@ -5,10 +5,11 @@ use nalgebra::Matrix3;
 use super::epoch::Epoch;
 use super::paired::{FaceDifference, Paired};
 use super::thresholds::{MAX_CHANCE, MIN_REGISTRATION_SIGMAS, MIN_SAMPLES_OF_FACE};
-use crate::geometry::Vec3;
+use crate::geometry::{Vec3, perpendiculars};
 use crate::num::chi_square;
 use crate::num::eigen;
 use crate::num::stats::{MEDIAN_SD, median_and_spread};
+use crate::verify::evidence::FoundFace;
 use crate::verify::model::EvidenceModel;
 use crate::verify::surface::{FittedFace, Shift, shift_of_faces};
 use crate::{Interrupt, Result, poll};
@@ -26,7 +27,7 @@ pub struct Displacement {
 
 impl Displacement {
     /// From the faces that show the object in both epochs; `None` where none does. What the drawn face has wrong is
-    /// in both epochs, and falls out of the differences.
+    /// in both epochs, and falls out of the differences; what all stations of an epoch have wrong does not.
     pub fn of(old: &Epoch, new: &Epoch, paired: &mut Paired, interrupt: Interrupt) -> Result<Option<Self>> {
         let mut faces = Vec::new();
         for (face, difference) in paired.faces.iter_mut().enumerate() {
@@ -34,11 +35,29 @@ impl Displacement {
             faces.extend(difference.face(old, new, face));
         }
         // Stations of either epoch count by their own registration: their shares are multiples of it.
-        let model = EvidenceModel { sigma_model: 0.0, sigma_station: 1.0, ..new.model };
+        let sigma_model = old.model.sigma_model.hypot(new.model.sigma_model);
+        let model = EvidenceModel { sigma_model, sigma_station: 1.0, ..new.model };
         let Some(mut shift) = shift_of_faces(&faces, &model) else { return Ok(None) };
         shift.covariance += Matrix3::identity() * new.model.least_variance();
-        let floor = MIN_REGISTRATION_SIGMAS * old.model.sigma_station.hypot(new.model.sigma_station);
-        Ok(Some(Self { chance: chance(&shift), shift, floor }))
+        Ok(Some(Self { chance: chance(&shift), floor: floor(&old.model, &new.model), shift }))
+    }
+
+    /// Of an object that one epoch found beside its place, where it stood in the other: along the normal of the face that
+    /// was found. `None` where the other has no deviation of that face.
+    pub fn to_elsewhere(there: &Epoch, elsewhere: &Epoch, found: &FoundFace) -> Option<Self> {
+        let face = &there.fitted.faces[found.face as usize];
+        let (deviation, sd) = face.deviation?;
+        let along = face.normal;
+        let covariance = along * along.transpose() * (sd * sd + found.sd * found.sd);
+        let vector = along * (found.deviation - deviation);
+        let shift = Shift { vector, covariance, undetermined: perpendiculars(&along).into() };
+        Some(Self { chance: chance(&shift), floor: floor(&there.model, &elsewhere.model), shift })
+    }
+
+    /// The way back.
+    pub fn reversed(self) -> Self {
+        let shift = Shift { vector: -self.shift.vector, ..self.shift };
+        Self { shift, ..self }
     }
 
     /// Whether the object moved.
@@ -72,6 +91,12 @@ impl FaceDifference {
             ..a.clone()
         })
     }
+}
+
+/// The shortest shift that is more than what the stations of both epochs have wrong, metres.
+fn floor(old: &EvidenceModel, new: &EvidenceModel) -> f64 {
+    let variance = |m: &EvidenceModel| m.sigma_station.powi(2) + m.sigma_model.powi(2);
+    MIN_REGISTRATION_SIGMAS * (variance(old) + variance(new)).sqrt()
 }
 
 /// Probability of a shift as long as this along its determined directions, if it is none.

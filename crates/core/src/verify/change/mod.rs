@@ -8,10 +8,12 @@
 //! * [`paired`]: both epochs at every sample that both saw, counted and by face ([`PairedSamples`]);
 //! * [`displacement`]: how far the object moved, from the differences of its faces ([`Displacement`]);
 //! * [`class`]: the classes ([`ObjectChangeClass`]), and which one follows;
-//! * [`value`]: all of it for one object ([`ObjectChange`]).
+//! * [`value`]: all of it for one object ([`ObjectChange`]);
+//! * [`elsewhere`]: a second look for what left its place ([`SurveyedEpoch`]).
 
 mod class;
 mod displacement;
+mod elsewhere;
 mod epoch;
 mod paired;
 mod state;
@@ -20,5 +22,6 @@ mod value;
 
 pub use class::ObjectChangeClass;
 pub use displacement::Displacement;
+pub use elsewhere::SurveyedEpoch;
 pub use paired::PairedSamples;
 pub use value::ObjectChange;

@@ -20,7 +20,8 @@ pub struct ObjectChange {
 }
 
 impl ObjectChange {
-    /// Compares the evidence of two epochs about one solid, at the same samples.
+    /// Compares the evidence of two epochs about one solid, at the same samples. What left its place is `Moved` where the
+    /// evidence of the other epoch [found](Evidence::found) it beside.
     pub fn between(old: &Evidence, new: &Evidence, interrupt: Interrupt) -> Result<Self> {
         if old.fingerprint() != new.fingerprint() {
             return Err(Error::Mismatch(Mismatch::Solids));
@@ -31,7 +32,19 @@ impl ObjectChange {
         let (old, new) = (Epoch::of(old, interrupt)?, Epoch::of(new, interrupt)?);
         let mut paired = Paired::of(&old, &new, interrupt)?;
         let displacement = Displacement::of(&old, &new, &mut paired, interrupt)?;
-        Ok(Self { class: decide(&paired.all, displacement.as_ref()), samples: paired.all, displacement })
+        let mut out = Self { class: decide(&paired.all, displacement.as_ref()), samples: paired.all, displacement };
+        let to = match out.class {
+            ObjectChangeClass::Gone => new.evidence.found.map(|f| Displacement::to_elsewhere(&old, &new, &f)),
+            ObjectChangeClass::Appeared => {
+                let from = |f| Displacement::to_elsewhere(&new, &old, &f).map(Displacement::reversed);
+                old.evidence.found.map(from)
+            }
+            _ => None,
+        };
+        if let Some(displacement) = to {
+            (out.class, out.displacement) = (ObjectChangeClass::Moved, displacement);
+        }
+        Ok(out)
     }
 
     /// Share of the object's samples that both epochs saw.

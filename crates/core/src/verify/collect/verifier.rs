@@ -111,19 +111,30 @@ impl SurveyObjects {
         threads: Threads,
         interrupt: Interrupt,
     ) -> Result<Vec<Evidence>> {
-        let gathered = self.gathered(patches, at_once, None, threads, interrupt)?;
-        Ok(gathered.into_iter().map(|(_, evidence)| evidence).collect())
+        self.gathered(patches, at_once, None, threads, interrupt)
     }
 
-    /// The same with the objects' numbers; `sights` remember all beams.
-    pub(in crate::verify) fn gathered<P: AsRef<[u8]> + Sync>(
+    /// The same, and where all beams ended.
+    pub fn evidence_and_sights<P: AsRef<[u8]> + Sync>(
+        &self,
+        patches: &[P],
+        at_once: usize,
+        threads: Threads,
+        interrupt: Interrupt,
+    ) -> Result<(Vec<Evidence>, Sights)> {
+        let mut sights = Sights::default();
+        let evidence = self.gathered(patches, at_once, Some(&mut sights), threads, interrupt)?;
+        Ok((evidence, sights))
+    }
+
+    fn gathered<P: AsRef<[u8]> + Sync>(
         &self,
         patches: &[P],
         at_once: usize,
         mut sights: Option<&mut Sights>,
         threads: Threads,
         interrupt: Interrupt,
-    ) -> Result<Vec<(u32, Evidence)>> {
+    ) -> Result<Vec<Evidence>> {
         let mut out = Vec::new();
         for batch in self.batches() {
             let mut verifier = Verifier::new(self, &batch, threads, interrupt)?;
@@ -135,6 +146,6 @@ impl SurveyObjects {
             out.extend(verifier.into_evidence());
         }
         out.sort_by_key(|(object, _)| *object);
-        Ok(out)
+        Ok(out.into_iter().map(|(_, evidence)| evidence).collect())
     }
 }

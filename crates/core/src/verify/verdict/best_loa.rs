@@ -1,6 +1,7 @@
 //! The finest class that an object keeps.
 
 use super::counts::is_well_seen;
+use super::inquiry::Inquiry;
 use super::judgement::Judgement;
 use super::rule::{Verdict, VerdictRule};
 use crate::evidence::Loa;
@@ -11,12 +12,12 @@ use crate::{Interrupt, Result};
 /// The finest class that would be confirmed, and that the survey proves at the confidence. Of the class that is asked
 /// the verdict says whether it holds.
 pub fn best_loa(
-    fitted: &FittedObject,
-    judgement: &Judgement,
-    model: &EvidenceModel,
+    inquiry: &Inquiry,
+    question: &Question,
     rule: &VerdictRule,
     interrupt: Interrupt,
 ) -> Result<Option<Loa>> {
+    let Inquiry { model, fitted, judgement } = inquiry;
     if !judgement.stands(rule) {
         return Ok(None);
     }
@@ -30,7 +31,7 @@ pub fn best_loa(
         let holds = if loa == asked {
             judgement.verdict() == Verdict::Confirmed
         } else {
-            is_proven(fitted, loa.upper(), model.question.confidence)
+            is_proven(fitted, loa.upper(), question.confidence)
                 && Judgement::of(fitted, &model, rule, interrupt)?.verdict() == Verdict::Confirmed
         };
         if holds {

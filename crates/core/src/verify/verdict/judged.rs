@@ -56,9 +56,8 @@ impl SurveyObjects {
         threads: Threads,
         interrupt: Interrupt,
     ) -> Result<Vec<(Evidence, Judged)>> {
-        let mut sights = Sights::default();
-        let gathered = self.gathered(patches, at_once, Some(&mut sights), threads, interrupt)?;
-        let mut all: Vec<_> = gathered.into_iter().map(|(object, evidence)| (object, evidence, None)).collect();
+        let (evidence, sights) = self.evidence_and_sights(patches, at_once, threads, interrupt)?;
+        let mut all: Vec<_> = (0..).zip(evidence).map(|(object, evidence)| (object, evidence, None)).collect();
         threads.for_each(&mut all, |(object, evidence, judged)| {
             *judged = Some(self.judge(*object, evidence, &sights, rule, interrupt)?);
             Ok(())

@@ -4,8 +4,7 @@ use super::reason::Reason;
 use super::rule::{Verdict, VerdictRule};
 use super::tally::VerdictTally;
 use super::thresholds::{MIN_CONFIRMED_OF_SEEN, MIN_DECIDED, MIN_INDEPENDENT};
-use crate::verify::evidence::Evidence;
-use crate::verify::model::{EvidenceModel, Question, measures_deviations};
+use crate::verify::model::{EvidenceModel, measures_deviations};
 use crate::verify::surface::FittedObject;
 use crate::{Interrupt, Result};
 
@@ -81,15 +80,6 @@ fn decide(tally: &VerdictTally, measures_deviations: bool, rule: &VerdictRule) -
         () if measures_deviations && unsure => Reason::TooUnsure,
         () if measures_deviations && few => Reason::TooFewMeasured,
         () => Reason::InPlace,
-    }
-}
-
-impl Evidence {
-    /// The verdict at the level of accuracy and confidence of `model`.
-    pub fn verdict(&self, question: &Question, rule: &VerdictRule, interrupt: Interrupt) -> Result<Verdict> {
-        let model = self.asked(question);
-        let fitted = FittedObject::of(self, &model, interrupt)?;
-        Ok(Judgement::of(&fitted, &model, rule, interrupt)?.verdict())
     }
 }
 

@@ -3,8 +3,9 @@
 //! The counts of its faces ([`FaceReport`], [`Counts`]) make a `tally`, the tally a `reason`, the reason the
 //! [`Verdict`]: `judgement` asks the tally's questions in order, and the first that holds is the reason; `thresholds`
 //! has the numbers. [`Summary`] adds the finest class that holds, the deviation and the offset; `explain` says it in
-//! words. Of one of many objects a [`Judged`] is told, after a second look. Beside the object: the [`SampleBelief`] at each sample, the [`Contribution`] of each station, and the
-//! evidence to be expected from a [`PlannedStation`].
+//! words. An `inquiry` asks each place alone, and where few beams told of any, all of them together. Of one of many
+//! objects a [`Judged`] is told, after a second look. Beside the object: the [`SampleBelief`] at each sample, the
+//! [`Contribution`] of each station, and the evidence to be expected from a [`PlannedStation`].
 
 mod belief;
 mod best_loa;
@@ -13,6 +14,7 @@ mod counts;
 mod explain;
 mod face_report;
 mod forecast;
+mod inquiry;
 mod judged;
 mod judgement;
 mod reason;

@@ -2,13 +2,13 @@
 
 use super::best_loa::best_loa;
 use super::counts::Counts;
-use super::judgement::Judgement;
+use super::inquiry::Inquiry;
 use super::rule::{Verdict, VerdictRule};
 use crate::evidence::Loa;
 use crate::geometry::Vec3;
 use crate::verify::evidence::{Evidence, Unseen};
 use crate::verify::model::Question;
-use crate::verify::surface::{FittedObject, Shift, shift_of};
+use crate::verify::surface::{Shift, shift_of};
 use crate::{Interrupt, Result};
 
 /// Verdict with the numbers that led to it: SQL's `ab_summary`.
@@ -72,14 +72,13 @@ impl Shares {
 impl Evidence {
     /// Verdict, shares, deviation, rigid offset and best level of accuracy.
     pub fn summary(&self, question: &Question, rule: &VerdictRule, interrupt: Interrupt) -> Result<Summary> {
-        let model = self.asked(question);
-        let fitted = FittedObject::of(self, &model, interrupt)?;
-        let judgement = Judgement::of(&fitted, &model, rule, interrupt)?;
+        let inquiry = Inquiry::of(self, question, rule, interrupt)?;
+        let Inquiry { fitted, judgement, .. } = &inquiry;
         let (totals, stands) = (&judgement.tally.totals, judgement.stands(rule));
         let face = judgement.face_meant(stands);
         Ok(Summary {
             verdict: judgement.verdict(),
-            best_loa: best_loa(&fitted, &judgement, &model, rule, interrupt)?,
+            best_loa: best_loa(&inquiry, question, rule, interrupt)?,
             samples: totals.samples,
             coverage: if totals.samples > 0 { totals.seen as f64 / totals.samples as f64 } else { 0.0 },
             shares: Shares::of(totals),

@@ -19,6 +19,13 @@ pub const MIN_CONFIRMED_OF_SEEN: f64 = 0.5;
 /// Least number of samples' worth of independent measurements that must show the object before it is confirmed: some
 /// twenty beams.
 pub const MIN_INDEPENDENT: f64 = 2.0;
+/// A place that few beams told of counts from this belief on, where its object's places are counted together: one beam
+/// within half a spacing.
+pub const CONFIDENCE_TOGETHER: f64 = 0.6;
+/// Of these places so many must say the same.
+pub const MIN_UNANIMOUS: f64 = 0.8;
+/// And so many samples' worth of independent measurements: some 36 beams.
+pub const MIN_INDEPENDENT_TOGETHER: f64 = 4.0;
 /// A surface counts as well seen with this share of the object's samples that have one.
 pub const WELL_SEEN_SHARE: f64 = 0.03;
 /// It must have at least as many.

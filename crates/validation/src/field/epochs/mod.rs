@@ -15,7 +15,7 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use asbuilt_core::NEVER;
-use asbuilt_core::verify::ObjectChange;
+use asbuilt_core::verify::{ObjectChange, SurveyedEpoch};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -24,7 +24,6 @@ use super::Task;
 use super::judged::evidence;
 use super::layout::Layout;
 use super::observer::truths;
-use super::patches::Delivery;
 use super::scene::{Plan, Scene, plans};
 use case::Case;
 use deed::{Deed, deeds};
@@ -82,14 +81,16 @@ fn epoch(plan: &Plan, layout: Layout, deeds: &[Deed], number: usize) -> Result<S
 }
 
 fn cases(epochs: &[Scene; 2], deeds: &[Deed]) -> Result<Vec<Case>> {
-    let [old, new] = [evidence(&epochs[0], Delivery::Stations)?, evidence(&epochs[1], Delivery::Stations)?];
+    let [old, new] = [evidence(&epochs[0])?, evidence(&epochs[1])?];
+    let surveyed = [&old, &new].map(|(objects, _, sights)| SurveyedEpoch { objects, sights });
     let returns = [epochs[0].returns(), epochs[1].returns()];
     let numbers: Vec<usize> = (0..deeds.len()).collect();
     numbers
         .par_iter()
         .filter(|i| !epochs[0].layout.objects[**i].twin)
         .map(|&i| {
-            let change = ObjectChange::between(&old[i], &new[i], NEVER)?;
+            let mut both = [old.1[i].clone(), new.1[i].clone()];
+            let change = ObjectChange::looking_beside(i as u32, both.each_mut(), surveyed, NEVER)?;
             let seen = [0, 1].map(|k| right::Seen { truths: truths(&epochs[k], i), returns: returns[k][i] });
             Ok(Case::of(epochs, i, &deeds[i], &seen, change))
         })

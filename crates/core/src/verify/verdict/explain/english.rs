@@ -24,6 +24,11 @@ pub fn sentence(finding: &Finding) -> String {
             percent(*seen as f64 / (*samples).max(1) as f64),
             if *stations == 1 { "station" } else { "stations" }
         ),
+        Finding::Together { confidence } => format!(
+            "No place was met by enough beams to be sure of it alone: a place counts from a belief of {} on, and nearly \
+            all of them say the same.",
+            percent(*confidence)
+        ),
         Finding::Kept { shares } => {
             let kept: Vec<String> =
                 shares.iter().map(|(why, share)| format!("{} ({})", kept(*why), percent(*share))).collect();

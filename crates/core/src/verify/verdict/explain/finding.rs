@@ -7,7 +7,7 @@ use crate::verify::model::{EvidenceModel, ModelKind, Question, measures_deviatio
 use crate::verify::surface::{FittedObject, FittedSurface};
 use crate::verify::verdict::best_loa::best_loa;
 use crate::verify::verdict::counts::Counts;
-use crate::verify::verdict::judgement::Judgement;
+use crate::verify::verdict::inquiry::Inquiry;
 use crate::verify::verdict::reason::Reason;
 use crate::verify::verdict::rule::{Verdict, VerdictRule};
 use crate::{Interrupt, Result};
@@ -21,6 +21,8 @@ pub enum Finding {
     NoDeviations { kind: ModelKind },
     /// How much was seen.
     Seen { seen: u64, samples: u64, stations: usize },
+    /// That few beams told of each place, and a place counts from this belief on.
+    Together { confidence: f64 },
     /// What kept the rest from being seen, the largest share first.
     Kept { shares: Vec<(Why, f64)> },
     /// How what was seen divides.
@@ -43,27 +45,29 @@ impl Finding {
         rule: &VerdictRule,
         interrupt: Interrupt,
     ) -> Result<Vec<Self>> {
-        let model = evidence.asked(question);
-        let fitted = FittedObject::of(evidence, &model, interrupt)?;
-        let judgement = Judgement::of(&fitted, &model, rule, interrupt)?;
+        let inquiry = Inquiry::of(evidence, question, rule, interrupt)?;
+        let Inquiry { model, fitted, judgement } = &inquiry;
         let (verdict, totals, tolerance) = (judgement.verdict(), &judgement.tally.totals, question.tolerance());
-        let mut all = vec![Self::Verdict { verdict, question: model.question }];
-        if !measures_deviations(&model) {
+        let mut all = vec![Self::Verdict { verdict, question: *question }];
+        if !measures_deviations(model) {
             all.push(Self::NoDeviations { kind: model.kind });
         }
         let stations = evidence.stations().len();
         all.push(Self::Seen { seen: totals.seen, samples: totals.samples, stations });
+        if model.question.confidence < question.confidence {
+            all.push(Self::Together { confidence: model.question.confidence });
+        }
         // Contradictions divide nothing, and of a few samples shares are no shares.
         if !matches!(judgement.reason, Reason::TooLittleSeen | Reason::Contradiction) {
             all.push(Self::divided(totals, tolerance));
         }
-        all.push(Self::Because { verdict, cause: Cause::of(&judgement, &fitted, rule), tolerance });
+        all.push(Self::Because { verdict, cause: Cause::of(judgement, fitted, rule), tolerance });
         all.extend(evidence.unseen.filter(|_| verdict == Verdict::Unobserved).map(|u| Self::kept(&u.shares())));
-        if measures_deviations(&model) && totals.on_surface > 0 && judgement.stands(rule) {
-            all.extend(Self::accuracy(&fitted));
-            let best = best_loa(&fitted, &judgement, &model, rule, interrupt)?;
+        if measures_deviations(model) && totals.on_surface > 0 && judgement.stands(rule) {
+            all.extend(Self::accuracy(fitted));
+            let best = best_loa(&inquiry, question, rule, interrupt)?;
             all.extend(best.map(|loa| Self::Best { loa }));
-            all.extend(Self::no_finer(best, &fitted, &model));
+            all.extend(Self::no_finer(best, fitted, &evidence.asked(question)));
         }
         Ok(all)
     }
