@@ -52,6 +52,7 @@ truth: setup
 	cargo run --release --quiet -p asbuilt-validation -- --report docs/truth.md
 	cargo run --release --quiet -p asbuilt-validation -- --field --report docs/truth-field.md
 	cargo run --release --quiet -p asbuilt-validation -- --planted --report docs/truth-planted.md
+	cargo run --release --quiet -p asbuilt-validation -- --change --scene 4 --scene 8 --scene 21 --scene 23 --report docs/truth-change.md
 
 lint:
 	cargo fmt --all --check

@@ -224,6 +224,10 @@ WHERE  d.refclassid = 'pg_catalog.pg_extension'::pg_catalog.regclass
 AND    d.classid = 'pg_catalog.pg_proc'::pg_catalog.regclass AND d.deptype = 'e' AND d.objid = p.oid
 AND    x.extname = 'asbuilt' AND 'e' = ANY (p.proargnames) AND p.proname !~ '_010$';
 
+-- What open surfaces have no longer raises an error.
+COMMENT ON FUNCTION ab_volume(ab_solid) IS
+    'Enclosed volume, m3; NULL for an open surface, which encloses none: ab_closedness says why';
+
 -- 00-types
 CREATE TYPE ab_evidence_model;
 CREATE FUNCTION _ab_evidence_model_in(cstring) RETURNS ab_evidence_model

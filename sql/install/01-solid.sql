@@ -41,7 +41,7 @@ COMMENT ON FUNCTION ab_area(ab_solid) IS 'Surface area, m2';
 
 CREATE FUNCTION ab_volume(solid ab_solid) RETURNS float8
     AS 'MODULE_PATHNAME', 'ab_solid_volume' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;
-COMMENT ON FUNCTION ab_volume(ab_solid) IS 'Enclosed volume, m3; an error for an open surface';
+COMMENT ON FUNCTION ab_volume(ab_solid) IS 'Enclosed volume, m3; NULL for an open surface, which encloses none: ab_closedness says why';
 
 CREATE FUNCTION ab_closedness(solid ab_solid) RETURNS text
     AS 'MODULE_PATHNAME', 'ab_solid_closedness' LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE;

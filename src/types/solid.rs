@@ -74,7 +74,8 @@ sql_functions! {
 
     fn ab_solid_volume(solid: SolidArg) {
         let h = solid.header()?;
-        if h.closedness == Closedness::Open { Err(Error::OpenSurface) } else { Ok(SqlValue::F64(h.volume)) }
+        // NULL, not an error: one open surface is no reason to end a query over all.
+        Ok(if h.closedness == Closedness::Open { SqlValue::Null } else { SqlValue::F64(h.volume) })
     }
 
     fn ab_solid_closedness(solid: SolidArg) {

@@ -48,12 +48,18 @@ enum Command {
     Inspect(commands::inspect::InspectArgs),
     /// A verdict on every building object
     Verify(commands::verify::VerifyArgs),
+    /// Why the verdict on an object is what it is
+    Explain(commands::explain::ExplainArgs),
     /// What is new, what has gone, and in which object
     Change(commands::change::ChangeArgs),
     /// What a planned survey would prove, and where one more station helps most
     Forecast(commands::forecast::ForecastArgs),
     /// Simulate a laser scan of a model, with what was built otherwise
     Simulate(commands::simulate::SimulateArgs),
+    /// What is loaded: models, scans by epoch, stations
+    List(commands::list::ListArgs),
+    /// Remove an epoch, a file or a station
+    Remove(commands::remove::RemoveArgs),
     /// Mesh an IFC file and write the products to standard output (the loader's child process)
     #[command(hide = true)]
     MeshIfc(commands::mesh_ifc::MeshIfcArgs),
@@ -63,10 +69,15 @@ enum Command {
 }
 
 fn main() {
+    // Who closes the pipe (head, less) ends the program quietly, as every other one.
+    sigpipe::reset();
     let result = match arguments().command {
         Command::Load(args) => commands::load::run(&args),
         Command::Inspect(args) => commands::inspect::run(&args),
         Command::Verify(args) => commands::verify::run(&args),
+        Command::Explain(args) => commands::explain::run(&args),
+        Command::List(args) => commands::list::run(&args),
+        Command::Remove(args) => commands::remove::run(&args),
         Command::Change(args) => commands::change::run(&args),
         Command::Forecast(args) => commands::forecast::run(&args),
         Command::Simulate(args) => commands::simulate::run(&args),

@@ -73,6 +73,24 @@ fn a_face_that_two_objects_share_confirms_neither_alone() {
     assert_eq!(judged(&[cuboid(&SLAB), cuboid(&rafter)], &missing)[1].verdict, Verdict::Absent);
 }
 
+/// Studs behind a board of 12.5 mm: pressed in by half of that, the board is no stud that stands out; taken off, it lays
+/// the studs bare. A board that is gone is not shown by an insulation that bulges.
+#[test]
+fn what_lies_between_two_layers_shows_neither() {
+    let slab = |from: f64, to: f64| ([from, -2.0, -2.0], [to, 2.0, 2.0]);
+    let (board, studs) = (slab(5.0, 5.0125), slab(5.0125, 5.1));
+    let drawn = [cuboid(&board), cuboid(&studs)];
+    for (built, of_board, of_studs) in [
+        (5.0, Verdict::Confirmed, Verdict::Unobserved),
+        (5.0065, Verdict::Unobserved, Verdict::Unobserved),
+        (5.0125, Verdict::Absent, Verdict::Confirmed),
+    ] {
+        let seen = view(Vec3::zeros(), |d| first(&[slab(built, 5.1)], Vec3::zeros(), d));
+        let said = judged(&drawn, &seen);
+        assert_eq!((said[0].verdict, said[1].verdict), (of_board, of_studs), "{built}: {said:?}");
+    }
+}
+
 /// The same wall in two models is one body; what coincides in part is not.
 #[test]
 fn a_body_drawn_twice_is_judged_as_one() {

@@ -191,7 +191,7 @@ impl Verdicts {
 
     /// The rigid offset, metres; `None` along undetermined axes.
     pub fn shift(&self, object: &str) -> [Option<f64>; 3] {
-        let axes = self.row(object)["shift"].as_array().unwrap_or_else(|| panic!("{object} has no shift"));
+        let axes = self.row(object)["shift_m"].as_array().unwrap_or_else(|| panic!("{object} has no shift"));
         axes.iter().map(serde_json::Value::as_f64).collect::<Vec<_>>().try_into().unwrap()
     }
 

@@ -71,7 +71,7 @@ fn simulated_pavilion() {
         assert_eq!(class(name), "moved", "{o}");
         for (axis, by) in moved.into_iter().enumerate() {
             let Some(by) = by else { continue };
-            let (shift, sd) = (number_at(&o["shift"], axis), number_at(&o["shift_sd"], axis));
+            let (shift, sd) = (number_at(&o["shift_m"], axis), number_at(&o["shift_sd_m"], axis));
             assert!((shift - by).abs() < 3.0 * sd && sd < 0.004, "{o}");
         }
     }
@@ -118,12 +118,9 @@ fn simulated_pavilion() {
         db.command(&["change", "--from", "1", "--to", "2", "--voxel", "0.05", "--format", "csv"]).output().unwrap();
     let csv = String::from_utf8(csv.stdout).unwrap();
     assert!(csv.starts_with("name,global_id,confirmed,new,disappeared,unknown,ambiguous,total,confirmed_m3"), "{csv}");
-    assert!(
-        csv.lines()
-            .next()
-            .unwrap()
-            .ends_with("total_m3,change,seen_in_both,shift_x,shift_y,shift_z,shift_sd_x,shift_sd_y,shift_sd_z")
-    );
+    assert!(csv.lines().next().unwrap().ends_with(
+        "total_m3,change,seen_in_both,shift_x_m,shift_y_m,shift_z_m,shift_sd_x_m,shift_sd_y_m,shift_sd_z_m"
+    ));
     assert_eq!(csv.lines().count(), 14);
 }
 

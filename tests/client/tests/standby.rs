@@ -17,8 +17,10 @@ fn demo(name: &str) -> Database {
     db
 }
 
-const READERS: [&[&str]; 3] = [
+const READERS: [&[&str]; 5] = [
     &["verify", "--spacing", "0.1", "--format", "csv"],
+    &["explain", "1", "--spacing", "0.1"],
+    &["list", "stations", "--format", "csv"],
     &["change", "--from", "1", "--to", "2", "--voxel", "0.1", "--format", "json"],
     &["change", "--model", "--to", "2", "--voxel", "0.1", "--format", "json"],
 ];

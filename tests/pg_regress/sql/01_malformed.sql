@@ -30,7 +30,6 @@ SELECT ab_solid(ARRAY[[0,0],[1,0]]::float8[], ARRAY[[0,1,1]]);
 SELECT ab_solid(ARRAY[0,1,2]::float8[], ARRAY[[0,0,0]]);
 SELECT ab_solid('{}', '{}');
 SELECT ab_solid(ARRAY[[0,0,0],[1,0,NULL],[0,1,0]]::float8[], ARRAY[[0,1,2]]);
-SELECT ab_volume(ab_solid(ARRAY[[0,0,0],[1,0,0],[0,1,0]]::float8[], ARRAY[[0,1,2]]));
 SELECT ab_scan(ARRAY[0,0,0]::float8[], '{}');
 SELECT ab_scan(ARRAY[0,0]::float8[], ARRAY[[1,2,3]]::float8[]);
 SELECT ab_scan(ARRAY[0,0,0]::float8[], ARRAY[[1,2,'nan']]::float8[]);

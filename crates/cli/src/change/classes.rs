@@ -8,10 +8,11 @@ use postgres::Transaction;
 use postgres::types::ToSql;
 use serde_json::{Map, Value};
 
-use crate::commands::verify::{NumbersByAxis, OBJECTS, shift, shift_columns};
+use crate::commands::verify::query::OBJECTS;
+use crate::commands::verify::shift::{NumbersByAxis, shift, shift_columns};
 use crate::database::connect::explain;
 use crate::database::names::Names;
-use crate::output::{Format, rounded, spinner};
+use crate::output::{Format, LengthUnit, rounded, spinner};
 
 /// How objects are sampled and how both epochs were surveyed.
 #[derive(clap::Args, Debug)]
@@ -42,23 +43,22 @@ pub struct ObjectClass {
 
 impl ObjectClass {
     /// The columns' names.
-    pub fn columns(format: Format) -> Vec<&'static str> {
-        [&["change", "seen_in_both"], shift_columns(format)].concat()
+    pub fn columns(format: Format, unit: LengthUnit) -> Vec<String> {
+        ["change", "seen_in_both"].map(String::from).into_iter().chain(shift_columns(format, unit)).collect()
     }
 
     /// What stands in them; an object without a solid cannot be compared.
-    pub fn cells(of: Option<&Self>, format: Format) -> Vec<Value> {
-        let Some(own) = of else { return vec![Value::Null; Self::columns(format).len()] };
+    pub fn cells(of: Option<&Self>, format: Format, unit: LengthUnit) -> Vec<Value> {
+        let Some(own) = of else { return vec![Value::Null; Self::columns(format, unit).len()] };
         let class = own.class.clone().unwrap_or_else(|| "not_comparable".into());
         let mut out = vec![class.into(), rounded(own.seen_in_both, 3)];
-        out.extend(shift(format, own.shift.clone(), own.shift_sd.clone()));
+        out.extend(shift(format, unit, own.shift.clone(), own.shift_sd.clone()));
         out
     }
 
     /// The same as parts of a JSON object.
-    pub fn json(of: Option<&Self>) -> Map<String, Value> {
-        let columns = Self::columns(Format::Json).into_iter().map(String::from);
-        columns.zip(Self::cells(of, Format::Json)).collect()
+    pub fn json(of: Option<&Self>, unit: LengthUnit) -> Map<String, Value> {
+        Self::columns(Format::Json, unit).into_iter().zip(Self::cells(of, Format::Json, unit)).collect()
     }
 }
 

@@ -6,19 +6,19 @@ use serde_json::{Map, Value, json};
 
 use super::classes::ObjectClass;
 use super::tally::{ChangeReport, Counted};
-use crate::output::{Format, Table, rounded};
+use crate::output::{Format, LengthUnit, Table, rounded};
 
 /// The classes in the order of their columns.
 const CLASSES: [&str; 5] = ["confirmed", "new", "disappeared", "unknown", "ambiguous"];
 
 impl ChangeReport {
     /// Prints it; as CSV the objects alone.
-    pub fn print(&self, format: Format) -> Result<()> {
+    pub fn print(&self, format: Format, unit: LengthUnit) -> Result<()> {
         match format {
-            Format::Json => println!("{}", serde_json::to_string_pretty(&self.json())?),
-            Format::Csv | Format::CsvExact => self.objects_table(format).print(format)?,
+            Format::Json => println!("{}", serde_json::to_string_pretty(&self.json(unit))?),
+            Format::Csv | Format::CsvExact => self.objects_table(format, unit).print(format)?,
             Format::Table => {
-                self.objects_table(format).print(format)?;
+                self.objects_table(format, unit).print(format)?;
                 println!();
                 self.components_table().print_of(format, "component", "components")?;
                 println!();
@@ -28,14 +28,14 @@ impl ChangeReport {
         Ok(())
     }
 
-    fn json(&self) -> Value {
+    fn json(&self, unit: LengthUnit) -> Value {
         let object = |object: &Counted| {
             let mut o = Map::new();
             o.insert("name".into(), object.name.clone().into());
             o.insert("global_id".into(), object.global_id.clone().into());
             o.extend(self.counts(&object.voxels));
             if self.has_classes {
-                o.extend(ObjectClass::json(object.class.as_ref()));
+                o.extend(ObjectClass::json(object.class.as_ref(), unit));
             }
             Value::Object(o)
         };
@@ -54,12 +54,13 @@ impl ChangeReport {
     }
 
     /// For people the class comes first; in CSV after the columns that programs know.
-    fn objects_table(&self, format: Format) -> Table {
+    fn objects_table(&self, format: Format, unit: LengthUnit) -> Table {
         let wide = format != Format::Table;
         let volumes: Vec<String> = CLASSES.iter().chain(&["total"]).map(|c| format!("{c}_m3")).collect();
         let mut counted: Vec<&str> = [&CLASSES[..], &["total"]].concat();
         counted.extend(volumes[if wide { 0..6 } else { 1..3 }].iter().map(String::as_str));
-        let classes = if self.has_classes { ObjectClass::columns(format) } else { Vec::new() };
+        let classes = if self.has_classes { ObjectClass::columns(format, unit) } else { Vec::new() };
+        let classes: Vec<&str> = classes.iter().map(String::as_str).collect();
         let columns = match wide {
             true => [vec!["name", "global_id"], counted.clone(), classes].concat(),
             false => [vec!["name"], classes, counted.clone()].concat(),
@@ -69,7 +70,8 @@ impl ChangeReport {
             let all = self.counts(&object.voxels);
             let name = Value::from(object.name.clone());
             let counts: Vec<Value> = counted.iter().map(|&c| all[c].clone()).collect();
-            let class = if self.has_classes { ObjectClass::cells(object.class.as_ref(), format) } else { Vec::new() };
+            let class =
+                if self.has_classes { ObjectClass::cells(object.class.as_ref(), format, unit) } else { Vec::new() };
             table.push(match wide {
                 true => [vec![name, object.global_id.clone().into()], counts, class].concat(),
                 false => [vec![name], class, counts].concat(),

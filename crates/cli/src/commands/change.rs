@@ -12,7 +12,7 @@ use crate::change::tally::{ChangeReport, Parts};
 use crate::change::tiles::{Comparison, Old, compare};
 use crate::database::connect::{Database, DatabaseArgs, explain};
 use crate::database::tables;
-use crate::output::{Format, count, say};
+use crate::output::{Format, LengthUnit, count, say};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -86,6 +86,9 @@ pub struct ChangeArgs {
     /// blue unknown, grey ambiguous)
     #[arg(long, value_name = "FILE")]
     export: Option<PathBuf>,
+    /// Unit of shifts [default: mm in tables, m in CSV and JSON]
+    #[arg(long, value_enum, value_name = "UNIT")]
+    units: Option<LengthUnit>,
     /// How to print; CSV has the objects alone
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -116,7 +119,7 @@ pub fn run(args: &ChangeArgs) -> Result<()> {
     if let Some(path) = &args.export {
         say!("{}: {} voxels", path.display(), count(export::write(&tiles, report.total.iter().sum(), path)?));
     }
-    report.print(args.format)
+    report.print(args.format, LengthUnit::or_default(args.units, args.format))
 }
 
 fn comparison(args: &ChangeArgs) -> Result<Comparison> {

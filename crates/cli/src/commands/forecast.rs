@@ -13,7 +13,7 @@ use serde_json::Value;
 use super::simulate::read_stations;
 use crate::forecast::next::{Unseen, best_place};
 use crate::forecast::room::Room;
-use crate::output::{Format, Table, rounded, say, spinner};
+use crate::output::{Format, LengthUnit, Table, rounded, say, spinner};
 use asbuilt_read::ifc;
 
 #[derive(clap::Args, Debug)]
@@ -65,6 +65,9 @@ pub struct ForecastArgs {
     /// Height of the scanner above the model's lowest point … of its first station, if not given
     #[arg(long, value_name = "M")]
     height: Option<f64>,
+    /// Unit of deviations [default: mm in tables, m in CSV and JSON]
+    #[arg(long, value_enum, value_name = "UNIT")]
+    units: Option<LengthUnit>,
     /// How to print
     #[arg(long, value_enum, default_value_t)]
     format: Format,
@@ -132,7 +135,9 @@ fn objects(args: &ForecastArgs) -> Result<Vec<Object>> {
 }
 
 fn print_objects(args: &ForecastArgs, objects: &[Object], evidence: &[Evidence], model: &EvidenceModel) -> Result<()> {
-    let mut table = Table::new(&["name", "ifc_class", "area", "coverage", "stations", "best_loa", "deviation_sd"]);
+    let unit = LengthUnit::or_default(args.units, args.format);
+    let deviation_sd = unit.column("deviation_sd");
+    let mut table = Table::new(&["name", "ifc_class", "area_m2", "coverage", "stations", "best_loa", &deviation_sd]);
     for (o, e) in objects.iter().zip(evidence) {
         let s: Summary = e.summary(&model.question, &VerdictRule::default(), NEVER)?;
         table.push(vec![
@@ -142,7 +147,7 @@ fn print_objects(args: &ForecastArgs, objects: &[Object], evidence: &[Evidence],
             rounded(Some(s.coverage), 3),
             Value::from(e.stations().len()),
             s.best_loa.map_or(Value::Null, |l| Value::from(l.name())),
-            rounded(s.deviation.map(|d| d.1), 4),
+            unit.value(s.deviation.map(|d| d.1)),
         ]);
     }
     table.print(args.format)

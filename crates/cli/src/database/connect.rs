@@ -26,6 +26,8 @@ pub struct Database {
     pub names: Names,
     /// The schema in which the user's own statements would create something.
     pub current_schema: Option<String>,
+    /// The user's search path, as it is set, for conditions of their own.
+    pub user_path: String,
 }
 
 impl DatabaseArgs {
@@ -41,11 +43,11 @@ impl DatabaseArgs {
         let mut client = config.connect(NoTls).map_err(explain).with_context(|| {
             format!("cannot connect to PostgreSQL at {place}; set PGHOST, PGUSER, PGDATABASE or give --db URL")
         })?;
-        let schemas = user_schemas(&mut client)?;
+        let (user_path, schemas) = user_schemas(&mut client)?;
         // A server that finds its client gone (Ctrl-C) ends the query; where it cannot look, it is not asked to.
         let _ = client.batch_execute("SET client_connection_check_interval = '500ms'");
         let names = self.names(&mut client, &schemas)?;
-        let mut database = Database { client, names, current_schema: schemas.into_iter().next() };
+        let mut database = Database { client, names, current_schema: schemas.into_iter().next(), user_path };
         database.set_path()?;
         Ok(database)
     }
@@ -86,13 +88,14 @@ pub fn set_path(client: &mut impl postgres::GenericClient, path: &str) -> Result
     client.execute(set, &[&path]).map(drop).map_err(explain)
 }
 
-/// Schemas on the user's search path in which tables can be, read before the path is replaced by the program's.
-fn user_schemas(client: &mut Client) -> Result<Vec<String>> {
-    let row = client.query_one("SELECT pg_catalog.current_schemas(false)", &[]).map_err(explain)?;
+/// The user's search path, and the schemas on it in which tables can be, read before the path is replaced by the program's.
+fn user_schemas(client: &mut Client) -> Result<(String, Vec<String>)> {
+    let read = "SELECT pg_catalog.current_schemas(false), pg_catalog.current_setting('search_path')";
+    let row = client.query_one(read, &[]).map_err(explain)?;
     set_path(client, "pg_catalog, pg_temp")?;
     let mut schemas: Vec<String> = row.get(0);
     schemas.retain(|s| !s.starts_with("pg_") && s != "information_schema");
-    Ok(schemas)
+    Ok((row.get(1), schemas))
 }
 
 /// The extension's schema.

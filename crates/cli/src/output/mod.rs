@@ -1,6 +1,7 @@
-//! What the user sees: [`table`] (aligned, CSV, JSON), [`message`]s and errors, progress bars. Every text from
+//! What the user sees: [`table`] (aligned, CSV, JSON), [`length`]s, [`message`]s and errors, progress bars. Every text from
 //! elsewhere passes through [`safe`] before a person sees it.
 
+mod length;
 mod message;
 mod safe;
 mod table;
@@ -8,6 +9,7 @@ mod table;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
 
+pub use length::LengthUnit;
 pub(crate) use message::say;
 pub use message::{Noted, notes, say_error};
 pub use safe::safe;

@@ -30,7 +30,7 @@ pub struct Table {
 }
 
 impl Table {
-    pub fn new(columns: &[&str]) -> Self {
+    pub fn new<S: ToString>(columns: &[S]) -> Self {
         Self { columns: columns.iter().map(ToString::to_string).collect(), rows: Vec::new() }
     }
 
@@ -44,9 +44,15 @@ impl Table {
 
     /// The same for rows of something else, named in singular and plural.
     pub fn print_of(&self, format: Format, one: &str, many: &str) -> Result<()> {
+        let what = if self.rows.len() == 1 { one } else { many };
+        self.print_with(format, &format!("{} {what}", self.rows.len()))
+    }
+
+    /// The same with this below the rows, for people.
+    pub fn print_with(&self, format: Format, sum: &str) -> Result<()> {
         let mut out = std::io::stdout().lock();
         match format {
-            Format::Table => self.print_aligned(&mut out, if self.rows.len() == 1 { one } else { many })?,
+            Format::Table => self.print_aligned(&mut out, sum)?,
             Format::Csv | Format::CsvExact => {
                 let mut csv = csv::Writer::from_writer(out);
                 csv.write_record(&self.columns)?;
@@ -66,7 +72,7 @@ impl Table {
         Ok(())
     }
 
-    fn print_aligned(&self, out: &mut impl Write, what: &str) -> Result<()> {
+    fn print_aligned(&self, out: &mut impl Write, sum: &str) -> Result<()> {
         let cell = |value: &Value| safe(&text(value));
         let cells: Vec<Vec<String>> = self.rows.iter().map(|r| r.iter().map(cell).collect()).collect();
         let width = |i: usize| {
@@ -83,7 +89,7 @@ impl Table {
             };
             writeln!(out, " {} ", (0..row.len()).map(pad).collect::<Vec<_>>().join(" | "))?;
         }
-        writeln!(out, "({} {what})", cells.len())?;
+        writeln!(out, "({sum})")?;
         Ok(())
     }
 }

@@ -16,10 +16,10 @@ pub struct Epoch<'a> {
 }
 
 impl<'a> Epoch<'a> {
-    /// Fits the object. Whether it is there is asked at one class for all objects, the coarsest that tells a face from
+    /// Fits the object; its places are counted from `confidence` on. Whether it is there is asked at one class for all objects, the coarsest that tells a face from
     /// what stands behind: its own class says where it should be, not whether it is the same as before.
-    pub fn of(evidence: &'a Evidence, interrupt: Interrupt) -> Result<Self> {
-        let question = Question { loa: Loa::Loa20, ..evidence.model().question };
+    pub fn of(evidence: &'a Evidence, confidence: f64, interrupt: Interrupt) -> Result<Self> {
+        let question = Question { loa: Loa::Loa20, confidence };
         let model = evidence.asked(&question);
         let fitted = FittedObject::of(evidence, &model, interrupt)?;
         Ok(Self { evidence, model, fitted })
@@ -28,6 +28,11 @@ impl<'a> Epoch<'a> {
     /// Seen sample `at`: where it lies (local, metres), to tell which of the object's samples it is.
     pub fn position(&self, at: usize) -> Vec3 {
         self.fitted.observations.seen[at].position()
+    }
+
+    /// How many samples' worth of independent measurements seen sample `at` is, at most 1.
+    pub fn independence(&self, at: usize) -> f64 {
+        f64::from(self.fitted.observations.seen[at].independence)
     }
 
     /// What is said at seen sample `at`.

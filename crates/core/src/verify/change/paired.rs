@@ -84,6 +84,8 @@ pub struct Paired {
     pub surfaces: Vec<PairedSamples>,
     /// For each face.
     pub faces: Vec<FaceDifference>,
+    /// How many samples' worth of independent measurements they are, of the epoch that has fewer.
+    pub independent: f64,
 }
 
 impl Paired {
@@ -95,6 +97,7 @@ impl Paired {
             all: PairedSamples { samples: samples.len() as u64, ..PairedSamples::default() },
             surfaces: vec![PairedSamples::default(); count],
             faces: vec![FaceDifference::default(); samples.normals.len()],
+            independent: 0.0,
         };
         for block in &samples.blocks {
             out.surfaces[samples.surface_of_face[block.face as usize] as usize].samples += u64::from(block.len);
@@ -105,6 +108,7 @@ impl Paired {
                 poll_now_and_then(i, interrupt)?;
                 out.faces[face].differences.grow(1, interrupt)?;
                 out.add_pair(samples, face, old.state(at_old), new.state(at_new));
+                out.independent += old.independence(at_old).min(new.independence(at_new));
             }
         }
         Ok(out)

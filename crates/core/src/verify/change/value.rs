@@ -6,6 +6,7 @@ use super::epoch::Epoch;
 use super::paired::{Paired, PairedSamples};
 use crate::error::{Error, Mismatch};
 use crate::verify::evidence::Evidence;
+use crate::verify::verdict::{CONFIDENCE_TOGETHER, MIN_INDEPENDENT_TOGETHER, MIN_UNANIMOUS};
 use crate::{Interrupt, Result};
 
 /// What became of an object between two epochs, with the numbers that say so.
@@ -29,22 +30,51 @@ impl ObjectChange {
         if !old.samples.are_those_of(&new.samples) {
             return Err(Error::Mismatch(Mismatch::Samples));
         }
-        let (old, new) = (Epoch::of(old, interrupt)?, Epoch::of(new, interrupt)?);
+        let confidence = old.model().question.confidence;
+        let (alone, _) = Self::at(old, new, confidence, interrupt)?;
+        if alone.class != ObjectChangeClass::NotComparable || confidence <= CONFIDENCE_TOGETHER {
+            return Ok(alone);
+        }
+        // As a verdict asks what few beams told of: together, where nearly all say the same.
+        let (together, independent) = Self::at(old, new, CONFIDENCE_TOGETHER, interrupt)?;
+        let is_sure = together.is_unanimous() && independent >= MIN_INDEPENDENT_TOGETHER;
+        Ok(if is_sure { together } else { alone })
+    }
+
+    /// Places counted from this confidence on, and how many independent measurements they are.
+    fn at(old: &Evidence, new: &Evidence, confidence: f64, interrupt: Interrupt) -> Result<(Self, f64)> {
+        let [old, new] = [Epoch::of(old, confidence, interrupt)?, Epoch::of(new, confidence, interrupt)?];
         let mut paired = Paired::of(&old, &new, interrupt)?;
         let displacement = Displacement::of(&old, &new, &mut paired, interrupt)?;
         let mut out = Self { class: decide(&paired.all, displacement.as_ref()), samples: paired.all, displacement };
-        let to = match out.class {
-            ObjectChangeClass::Gone => new.evidence.found.map(|f| Displacement::to_elsewhere(&old, &new, &f)),
+        if let Some(displacement) = out.elsewhere(&old, &new) {
+            (out.class, out.displacement) = (ObjectChangeClass::Moved, displacement);
+        }
+        Ok((out, paired.independent))
+    }
+
+    /// Where what left its place was found; nothing where it was not.
+    fn elsewhere(&self, old: &Epoch, new: &Epoch) -> Option<Option<Displacement>> {
+        match self.class {
+            ObjectChangeClass::Gone => new.evidence.found.map(|f| Displacement::to_elsewhere(old, new, &f)),
             ObjectChangeClass::Appeared => {
-                let from = |f| Displacement::to_elsewhere(&new, &old, &f).map(Displacement::reversed);
+                let from = |f| Displacement::to_elsewhere(new, old, &f).map(Displacement::reversed);
                 old.evidence.found.map(from)
             }
             _ => None,
-        };
-        if let Some(displacement) = to {
-            (out.class, out.displacement) = (ObjectChangeClass::Moved, displacement);
         }
-        Ok(out)
+    }
+
+    /// Whether nearly all places that say something in both epochs say the same.
+    fn is_unanimous(&self) -> bool {
+        let PairedSamples { kept, displaced, lost, won, empty, .. } = self.samples;
+        let agree = match self.class {
+            ObjectChangeClass::Unchanged => (kept - displaced).max(empty),
+            ObjectChangeClass::Gone => lost,
+            ObjectChangeClass::Appeared => won,
+            _ => return false,
+        };
+        agree as f64 >= MIN_UNANIMOUS * self.samples.compared() as f64
     }
 
     /// Share of the object's samples that both epochs saw.

@@ -15,7 +15,7 @@ pub const RATHER: f64 = 2.0;
 pub enum Ownership {
     /// Nothing: it may be the object's own.
     MayBeOwn,
-    /// Both are drawn here, one of them is there: it says nothing of either alone.
+    /// One of both is there, and nobody can tell which: it says nothing of either alone.
     Shared,
     /// It is the other's, and hides the face.
     Hides,
@@ -44,8 +44,13 @@ pub fn ownership(deviation: f64, other: f64, noise: f64) -> Ownership {
     if -deviation < RATHER * other && other < deviation && deviation > noise.max(HIDDEN_M) {
         return Ownership::Hides;
     }
-    let behind = RATHER * other.abs() < -deviation && -deviation > as_designed;
-    if behind && other.abs() <= as_designed { Ownership::SeenThrough } else { Ownership::MayBeOwn }
+    let is_at_other = other.abs() <= as_designed;
+    if is_at_other && RATHER * other.abs() < -deviation && -deviation > as_designed {
+        return Ownership::SeenThrough;
+    }
+    // Between two layers, hardly nearer to either: the one displaced as well as the other.
+    let is_between = is_at_other && other.abs() < RATHER * deviation.abs();
+    if is_between { Ownership::Shared } else { Ownership::MayBeOwn }
 }
 
 /// Whether a return that no beam was aimed with, `own` metres from where an object is drawn and `other` from where
@@ -74,7 +79,11 @@ mod tests {
             (-0.05, 0.02, Ownership::MayBeOwn),
             (-0.05, -0.041, Ownership::Shared),
             (-0.015, 0.001, Ownership::SeenThrough),
-            (-0.009, 0.002, Ownership::MayBeOwn),
+            (-0.009, 0.002, Ownership::Shared),
+            (0.0065, -0.006, Ownership::Shared),
+            (0.003, -0.0095, Ownership::MayBeOwn),
+            (-0.0075, 0.005, Ownership::Shared),
+            (0.005, -0.02, Ownership::MayBeOwn),
         ] {
             assert_eq!(ownership(deviation, other, noise), whose, "{deviation} {other}");
         }

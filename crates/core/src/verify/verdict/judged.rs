@@ -30,9 +30,11 @@ impl SurveyObjects {
         let question = evidence.model().question;
         let mut summary = evidence.summary(&question, rule, interrupt)?;
         let mut hidden_by = None;
-        if summary.is_open() {
+        if summary.is_open() || summary.verdict == Verdict::Unobserved {
             self.look_again(object, |looked| {
-                evidence.found = sights.far_face(evidence, looked, interrupt)?;
+                if summary.is_open() {
+                    evidence.found = sights.far_face(evidence, looked, interrupt)?;
+                }
                 if evidence.found.is_some() {
                     summary = evidence.summary(&question, rule, interrupt)?;
                 }
