@@ -47,7 +47,8 @@ bench: setup-test
 	scripts/bench.sh
 
 # Verdicts, beliefs and intervals against simulated buildings whose truth is known: writes docs/truth.md and its pictures;
-# against real buildings under the second scanner, and a real scan: docs/truth-field.md, docs/truth-planted.md.
+# against real buildings under the second scanner, and a real scan: docs/truth-field.md, docs/truth-planted.md;
+# in two epochs of real buildings: docs/truth-change.md.
 truth: setup
 	cargo run --release --quiet -p asbuilt-validation -- --report docs/truth.md
 	cargo run --release --quiet -p asbuilt-validation -- --field --report docs/truth-field.md

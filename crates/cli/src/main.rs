@@ -4,6 +4,7 @@
 //! * `asbuilt_read`, a crate of its own: file formats, each read by a child process under a budget of memory;
 //! * [`database`]: connection, tables, COPY;
 //! * [`change`]: two epochs compared in voxels;
+//! * [`frames`]: whether model and scans lie on each other;
 //! * [`forecast`]: what a planned survey would prove;
 //! * [`output`]: tables, CSV, JSON, progress.
 
@@ -11,6 +12,7 @@ mod change;
 mod commands;
 mod database;
 mod forecast;
+mod frames;
 mod output;
 
 use clap::{Parser, Subcommand};
@@ -69,8 +71,6 @@ enum Command {
 }
 
 fn main() {
-    // Who closes the pipe (head, less) ends the program quietly, as every other one.
-    sigpipe::reset();
     let result = match arguments().command {
         Command::Load(args) => commands::load::run(&args),
         Command::Inspect(args) => commands::inspect::run(&args),

@@ -1,6 +1,7 @@
 //! File formats: [`e57`], [`las`], [`ply`], [`ptx`], [`pcd`], [`xyz`] give scans, [`ifc`] gives a model; all of them
 //! are read by a [`child`] process under a budget of [`memory`]. A file is what its [`content`] says; whether a scanner
-//! stood where it says is [`origin`]'s doubt, what its numbers count in [`unit`]'s. [`packing`] makes patches of what
+//! stood where it says is [`origin`]'s doubt, what its numbers count in [`unit`]'s; [`frame`] brings it to the model.
+//! [`packing`] makes patches of what
 //! was read.
 //!
 //! The child is the program itself, called again: a program that reads through children answers to `mesh-ifc` with
@@ -16,6 +17,7 @@ mod content;
 mod e57;
 #[cfg(test)]
 mod field_tests;
+mod frame;
 mod grid;
 pub mod ifc;
 mod las;
@@ -41,6 +43,7 @@ use asbuilt_core::scan::{Beam, Beams};
 use indicatif::ProgressBar;
 
 pub use content::{FileContents, FileFormat, form, kind};
+pub use frame::{FrameOptions, FrameTransform, Offset};
 pub use options::ReadOptions;
 use origin::Settler;
 pub use origin::{IdentityPose, OriginSource, OriginsChoice};
@@ -116,7 +119,12 @@ pub type ScanSink<'a> = &'a mut dyn FnMut(RawScan) -> Result<()>;
 pub fn read_scans(path: &Path, options: &ReadOptions, bar: &ProgressBar, sink: ScanSink) -> Result<()> {
     let read = || {
         let mut settler = Settler::new(options)?;
-        read_raw(path, options, bar, &mut |scan| settler.settle(scan, sink))?;
+        let model_from_file = options.frame.model_from_file()?;
+        let mut placed = |mut scan: RawScan| {
+            model_from_file.iter().for_each(|transform| transform.apply(&mut scan));
+            sink(scan)
+        };
+        read_raw(path, options, bar, &mut |scan| settler.settle(scan, &mut placed))?;
         settler.finish()
     };
     silence_panics(read)

@@ -5,7 +5,7 @@ use asbuilt_core::num::text::numbers;
 use clap::ValueEnum;
 
 use super::origin::Listing;
-use super::{Columns, IdentityPose, OriginsChoice, Unit};
+use super::{Columns, FrameOptions, IdentityPose, OriginsChoice, Unit};
 
 #[derive(clap::Args, Debug, Clone, Default)]
 pub struct ReadOptions {
@@ -32,6 +32,8 @@ pub struct ReadOptions {
     /// What the numbers of a file count in that does not tell it itself
     #[arg(long, value_name = "UNIT")]
     pub file_unit: Option<Unit>,
+    #[command(flatten)]
+    pub frame: FrameOptions,
     /// Keep the points of LAS and LAZ that are classified as noise (classes 7 and 18)
     #[arg(long)]
     pub keep_noise: bool,
@@ -41,8 +43,9 @@ pub struct ReadOptions {
 }
 
 impl ReadOptions {
-    /// Refuses a listing of origins that cannot be read, before anything else is done.
+    /// Refuses a listing of origins or a transform that cannot be read, before anything else is done.
     pub fn check(&self) -> anyhow::Result<()> {
+        self.frame.model_from_file()?;
         match &self.origins {
             Some(OriginsChoice::Listed(file)) => Listing::read(file).map(|_| ()),
             _ => Ok(()),
@@ -56,6 +59,7 @@ impl ReadOptions {
         out.extend(self.origins.as_ref().map(|origins| format!("--origins={origins}")));
         out.extend(self.columns.as_ref().map(|columns| format!("--columns={columns}")));
         out.extend(self.file_unit.map(|unit| format!("--file-unit={}", word(&unit))));
+        out.extend(self.frame.arguments());
         let flags = [
             (self.intensity, "--intensity"),
             (self.colour, "--colour"),
@@ -97,11 +101,14 @@ mod tests {
             columns: Some("-,y,x,z".parse().unwrap()),
             decimal_comma: true,
             file_unit: Some(Unit::UsFt),
+            frame: FrameOptions { offset: "-1e6,0.25,-3".parse().ok(), transform: None },
             keep_noise: true,
             identity_pose: IdentityPose::Merged,
         };
         let listed = |text: &str| ReadOptions { origin: None, origins: text.parse().ok(), ..given.clone() };
-        for options in [listed("none"), listed("recover"), listed("-a b.csv"), given, ReadOptions::default()] {
+        let transformed = FrameOptions { offset: None, transform: Some("a b.txt".into()) };
+        let turned = ReadOptions { frame: transformed, ..given.clone() };
+        for options in [turned, listed("none"), listed("recover"), listed("-a b.csv"), given, ReadOptions::default()] {
             let line = Line::parse_from(["read-scan".to_owned()].into_iter().chain(options.arguments()));
             assert_eq!(format!("{:?}", line.options), format!("{options:?}"));
         }

@@ -69,7 +69,7 @@ fn filters_choose_and_change_nothing() {
         }
     }
     for (args, said) in [
-        (["--class", "IfcPile"], "the classes are IfcBeam, IfcColumn"),
+        (["--class", "IfcPile"], "the classes are IfcBeam, IfcBuildingElementProxy"),
         (["--name", "nobody"], "the names are beam"),
         (["--only", "4711"], "no object has the id or GlobalId 4711"),
         (["--where", "o.nothing = 1"], "column o.nothing does not exist"),

@@ -1,12 +1,14 @@
 //! Objects, components and totals, printed.
 
+use std::io::Write;
+
 use anyhow::Result;
 use asbuilt_core::voxel::ChangeComponent;
 use serde_json::{Map, Value, json};
 
 use super::classes::ObjectClass;
 use super::tally::{ChangeReport, Counted};
-use crate::output::{Format, LengthUnit, Table, rounded};
+use crate::output::{Format, LengthUnit, Table, rounded, to_stdout};
 
 /// The classes in the order of their columns.
 const CLASSES: [&str; 5] = ["confirmed", "new", "disappeared", "unknown", "ambiguous"];
@@ -15,13 +17,16 @@ impl ChangeReport {
     /// Prints it; as CSV the objects alone.
     pub fn print(&self, format: Format, unit: LengthUnit) -> Result<()> {
         match format {
-            Format::Json => println!("{}", serde_json::to_string_pretty(&self.json(unit))?),
+            Format::Json => {
+                let text = serde_json::to_string_pretty(&self.json(unit))?;
+                to_stdout(|out| Ok(writeln!(out, "{text}")?))?;
+            }
             Format::Csv | Format::CsvExact => self.objects_table(format, unit).print(format)?,
             Format::Table => {
                 self.objects_table(format, unit).print(format)?;
-                println!();
+                to_stdout(|out| Ok(writeln!(out)?))?;
                 self.components_table().print_of(format, "component", "components")?;
-                println!();
+                to_stdout(|out| Ok(writeln!(out)?))?;
                 self.total_table().print_of(format, "class", "classes")?;
             }
         }

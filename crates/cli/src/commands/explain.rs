@@ -11,7 +11,7 @@ use super::verify::selection::ids_of;
 use crate::database::connect::{Database, DatabaseArgs};
 use crate::database::origins::StationOrigins;
 use crate::database::tables;
-use crate::output::{safe, say};
+use crate::output::{safe, say, to_stdout};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -38,19 +38,26 @@ pub fn run(args: &ExplainArgs) -> Result<()> {
     let ids = ids_of(&mut db, &args.objects)?;
     let rows = explanations(&args.question, &mut db, &ids)?;
     remark(args, &mut db)?;
-    let mut out = std::io::stdout().lock();
-    for (i, row) in rows.iter().enumerate() {
-        if i > 0 {
-            writeln!(out)?;
+    to_stdout(|out| {
+        for (i, row) in rows.iter().enumerate() {
+            if i > 0 {
+                writeln!(out)?;
+            }
+            print(out, row)?;
         }
-        writeln!(out, "{}", safe(&title(row)))?;
-        match row.get::<_, Option<&str>>(5) {
-            Some(text) => text.lines().try_for_each(|line| writeln!(out, "  {}", safe(line)))?,
-            None => writeln!(out, "  It has no geometry that could be meshed: nothing is known of it.")?,
-        }
-    }
+        Ok(())
+    })?;
     if rows.is_empty() {
         bail!("nothing was verified");
+    }
+    Ok(())
+}
+
+fn print(out: &mut impl Write, row: &Row) -> Result<()> {
+    writeln!(out, "{}", safe(&title(row)))?;
+    match row.get::<_, Option<&str>>(5) {
+        Some(text) => text.lines().try_for_each(|line| writeln!(out, "  {}", safe(line)))?,
+        None => writeln!(out, "  It has no geometry that could be meshed: nothing is known of it.")?,
     }
     Ok(())
 }

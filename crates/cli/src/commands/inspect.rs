@@ -1,5 +1,6 @@
 //! `asbuilt inspect`: what files hold and how they would be read.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
@@ -8,7 +9,7 @@ use indicatif::ProgressBar;
 use serde_json::{Value, json};
 
 use super::reading::ReadingArgs;
-use crate::output::{safe, say};
+use crate::output::{safe, say, to_stdout};
 use asbuilt_read::child::{Event, ReadingProcess, ScanHead};
 use asbuilt_read::packing::Packed;
 use asbuilt_read::{self as read, FileFormat, OriginSource, ifc};
@@ -44,10 +45,10 @@ enum InspectFormat {
 pub fn run(args: &InspectArgs) -> Result<()> {
     args.reading.check()?;
     let found: Vec<Value> = args.files.iter().map(|file| inspected(file, &args.reading)).collect();
-    match args.format {
-        InspectFormat::Json => println!("{}", serde_json::to_string_pretty(&found)?),
-        InspectFormat::Table => found.iter().for_each(print),
-    }
+    to_stdout(|out| match args.format {
+        InspectFormat::Json => Ok(writeln!(out, "{}", serde_json::to_string_pretty(&found)?)?),
+        InspectFormat::Table => found.iter().try_for_each(|found| print(out, found)),
+    })?;
     let failed = found.iter().filter(|f| !f["error"].is_null()).count();
     if failed > 0 {
         bail!("{failed} of {} files cannot be read", found.len());
@@ -151,40 +152,42 @@ fn model(file: &Path, reading: &ReadingArgs) -> Result<Value> {
 }
 
 /// A file as lines: simple values after their names, lists below.
-fn print(found: &Value) {
+fn print(out: &mut impl Write, found: &Value) -> Result<()> {
     let text = |value: &Value| value.as_str().map_or_else(|| value.to_string(), ToOwned::to_owned);
-    println!("{}: {}", safe(&text(&found["file"])), found["format"].as_str().unwrap_or("unknown"));
+    writeln!(out, "{}: {}", safe(&text(&found["file"])), found["format"].as_str().unwrap_or("unknown"))?;
     if let Some(error) = found["error"].as_str() {
         say!("  {error}");
     }
     let scans = found["scans"].as_array().into_iter().flatten();
     for part in scans.chain(found.get("model")) {
         for (key, value) in part.as_object().into_iter().flatten() {
-            lines(key, value, 1);
+            lines(out, key, value, 1)?;
         }
     }
+    Ok(())
 }
 
-fn lines(key: &str, value: &Value, depth: usize) {
+fn lines(out: &mut impl Write, key: &str, value: &Value, depth: usize) -> Result<()> {
     let indent = "  ".repeat(depth);
     match value {
-        Value::Null => println!("{indent}{key}: not known"),
+        Value::Null => writeln!(out, "{indent}{key}: not known")?,
         Value::Array(all) if all.is_empty() => {}
         Value::Array(all) if all.iter().any(|v| v.is_string() || v.is_object()) => {
-            println!("{indent}{key}:");
-            all.iter().for_each(|v| lines("-", v, depth + 1));
+            writeln!(out, "{indent}{key}:")?;
+            all.iter().try_for_each(|v| lines(out, "-", v, depth + 1))?;
         }
         Value::Object(all) if key == "-" => {
             let parts: Vec<String> = all.iter().map(|(_, v)| v.as_str().map_or_else(|| v.to_string(), safe)).collect();
-            println!("{indent}- {}", parts.join(": "));
+            writeln!(out, "{indent}- {}", parts.join(": "))?;
         }
         Value::Object(all) if all.is_empty() => {}
         Value::Object(all) => {
-            println!("{indent}{key}:");
-            all.iter().for_each(|(key, value)| lines(key, value, depth + 1));
+            writeln!(out, "{indent}{key}:")?;
+            all.iter().try_for_each(|(key, value)| lines(out, key, value, depth + 1))?;
         }
-        Value::String(text) if key == "-" => println!("{indent}- {}", safe(text)),
-        Value::String(text) => println!("{indent}{key}: {}", safe(text)),
-        other => println!("{indent}{key}: {other}"),
+        Value::String(text) if key == "-" => writeln!(out, "{indent}- {}", safe(text))?,
+        Value::String(text) => writeln!(out, "{indent}{key}: {}", safe(text))?,
+        other => writeln!(out, "{indent}{key}: {other}")?,
     }
+    Ok(())
 }

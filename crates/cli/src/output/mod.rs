@@ -6,6 +6,9 @@ mod message;
 mod safe;
 mod table;
 
+use std::io::{StdoutLock, Write};
+
+use anyhow::Result;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::Value;
 
@@ -14,6 +17,19 @@ pub(crate) use message::say;
 pub use message::{Noted, notes, say_error};
 pub use safe::safe;
 pub use table::{Format, Table};
+
+/// Writes to standard output. Who closes it (head, less) wants no more, and that is no error.
+pub fn to_stdout(write: impl FnOnce(&mut StdoutLock<'static>) -> Result<()>) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    let result = write(&mut out).and_then(|()| Ok(out.flush()?));
+    let is_closed = |e: &anyhow::Error| {
+        e.downcast_ref::<std::io::Error>().is_some_and(|e| e.kind() == std::io::ErrorKind::BrokenPipe)
+    };
+    match result {
+        Err(e) if is_closed(&e) => std::process::exit(0),
+        other => other,
+    }
+}
 
 /// A number rounded to `digits` decimals; NULL stays NULL.
 pub fn rounded(value: Option<f64>, digits: i32) -> Value {

@@ -5,7 +5,7 @@ use std::io::Write;
 use anyhow::Result;
 use serde_json::{Map, Value};
 
-use super::safe;
+use super::{safe, to_stdout};
 
 /// How to print rows.
 #[derive(clap::ValueEnum, Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -50,26 +50,25 @@ impl Table {
 
     /// The same with this below the rows, for people.
     pub fn print_with(&self, format: Format, sum: &str) -> Result<()> {
-        let mut out = std::io::stdout().lock();
-        match format {
-            Format::Table => self.print_aligned(&mut out, sum)?,
+        to_stdout(|out| match format {
+            Format::Table => self.print_aligned(out, sum),
             Format::Csv | Format::CsvExact => {
                 let mut csv = csv::Writer::from_writer(out);
-                csv.write_record(&self.columns)?;
+                csv.write_record(&self.columns).map_err(std::io::Error::from)?;
                 for row in &self.rows {
-                    csv.write_record(row.iter().map(|value| cell(value, format == Format::Csv)))?;
+                    let cells = row.iter().map(|value| cell(value, format == Format::Csv));
+                    csv.write_record(cells).map_err(std::io::Error::from)?;
                 }
-                csv.flush()?;
+                Ok(csv.flush()?)
             }
             Format::Json => {
                 let object = |row: &Vec<Value>| {
                     self.columns.iter().cloned().zip(row.iter().cloned()).collect::<Map<String, Value>>()
                 };
                 let objects: Vec<_> = self.rows.iter().map(object).collect();
-                writeln!(out, "{}", serde_json::to_string_pretty(&objects)?)?;
+                Ok(writeln!(out, "{}", serde_json::to_string_pretty(&objects)?)?)
             }
-        }
-        Ok(())
+        })
     }
 
     fn print_aligned(&self, out: &mut impl Write, sum: &str) -> Result<()> {

@@ -15,6 +15,7 @@ use crate::commands::reading::ReadingArgs;
 use crate::database::connect::{Database, DatabaseArgs, explain};
 use crate::database::names::Names;
 use crate::database::{layout, tables};
+use crate::frames::check;
 use crate::output::{Noted, notes, say, say_error};
 use asbuilt_read::{self as read, FileContents};
 
@@ -33,7 +34,12 @@ Examples:
   asbuilt load merged.laz --origins stations.csv            (lines such as 3,12.3,4.5,1.6: the points of point source id 3)
   asbuilt load wrong-poses.e57 --origins none
   asbuilt load whole-scan.xyz --origins recover             (tells when the points do not prove the position)
-  asbuilt load survey.txt --columns n,x,y,z --file-unit ft")]
+  asbuilt load survey.txt --columns n,x,y,z --file-unit ft
+  asbuilt load utm.laz --origin 512350,5412330,103 --offset -512345,-5412345,-101.5  (--origin as the file counts)
+  asbuilt load unregistered.e57 --transform icp.txt         (16 numbers, from the scan's frame into the model's)
+
+After loading, and before asbuilt verify, the boxes of objects and patches are compared: a wrong unit, exchanged axes, a
+projected frame and a station that is not registered are named, with the option that mends it.")]
 pub struct LoadArgs {
     /// IFC models and scan files
     #[arg(required = true, value_name = "FILE")]
@@ -85,7 +91,7 @@ pub fn run(args: &LoadArgs) -> Result<()> {
         say!("  in {:.1} s", start.elapsed().as_secs_f64());
     }
     tables::analyse(&mut db)?;
-    warn_apart(&mut db, args.epoch)
+    check::warn(&mut db, args.epoch)
 }
 
 /// Everything but the commit; a file that cannot be loaded does not keep the others from being tried.
@@ -143,20 +149,4 @@ fn source(file: &Path) -> String {
 fn shown(b: &Aabb) -> String {
     let mm = |c: [f64; 3]| c.map(|v| (v * 1e3).round() / 1e3);
     Aabb { min: mm(b.min), max: mm(b.max) }.to_text()
-}
-
-/// Warns about models and scans in different frames: a common mistake that leaves all objects unobserved.
-fn warn_apart(db: &mut Database, epoch: i32) -> Result<()> {
-    let question = db.sql(
-        "SELECT EXISTS (SELECT FROM @building_object), EXISTS (SELECT FROM @scan WHERE epoch = $1::int4),
-            EXISTS (SELECT FROM @building_object o
-                    JOIN @scan s ON s.epoch = $1::int4 AND s.patch OPERATOR(@ext.&&) o.solid)",
-    );
-    let row = db.client.query_one(&question, &[&epoch]).map_err(explain)?;
-    if row.get::<_, bool>(0) && row.get::<_, bool>(1) && !row.get::<_, bool>(2) {
-        say!(
-            "warning: no beam of epoch {epoch} comes near any object: are model and scans in the same coordinate system?"
-        );
-    }
-    Ok(())
 }

@@ -18,6 +18,7 @@ use anyhow::Result;
 use crate::database::connect::DatabaseArgs;
 use crate::database::origins::StationOrigins;
 use crate::database::tables;
+use crate::frames::check;
 use crate::output::{Format, LengthUnit, Table, say};
 use columns::{Layout, cells, columns};
 use query::judged;
@@ -83,6 +84,7 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     tables::check_loaded(&mut db)?;
     tables::check_epoch(&mut db, args.question.epoch)?;
     let asked_for = args.selection.ids(&mut db)?;
+    check::warn(&mut db, args.question.epoch)?;
     let mut objects = judged(&args.question, &mut db)?;
     let all = objects.len();
     objects.retain(|o| asked_for.contains(&o.id));

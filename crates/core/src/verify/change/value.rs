@@ -6,7 +6,7 @@ use super::epoch::Epoch;
 use super::paired::{Paired, PairedSamples};
 use crate::error::{Error, Mismatch};
 use crate::verify::evidence::Evidence;
-use crate::verify::verdict::{CONFIDENCE_TOGETHER, MIN_INDEPENDENT_TOGETHER, MIN_UNANIMOUS};
+use crate::verify::verdict::{CONFIDENCE_TOGETHER, MIN_INDEPENDENT, MIN_INDEPENDENT_TOGETHER, MIN_UNANIMOUS};
 use crate::{Interrupt, Result};
 
 /// What became of an object between two epochs, with the numbers that say so.
@@ -31,7 +31,10 @@ impl ObjectChange {
             return Err(Error::Mismatch(Mismatch::Samples));
         }
         let confidence = old.model().question.confidence;
-        let (alone, _) = Self::at(old, new, confidence, interrupt)?;
+        let (mut alone, independent) = Self::at(old, new, confidence, interrupt)?;
+        if independent < MIN_INDEPENDENT.min(alone.samples.samples as f64) {
+            alone.class = ObjectChangeClass::NotComparable;
+        }
         if alone.class != ObjectChangeClass::NotComparable || confidence <= CONFIDENCE_TOGETHER {
             return Ok(alone);
         }

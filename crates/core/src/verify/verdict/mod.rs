@@ -31,4 +31,4 @@ pub use forecast::PlannedStation;
 pub use judged::Judged;
 pub use rule::{Verdict, VerdictRule};
 pub use summary::{Shares, Summary};
-pub(in crate::verify) use thresholds::{CONFIDENCE_TOGETHER, MIN_INDEPENDENT_TOGETHER, MIN_UNANIMOUS};
+pub(in crate::verify) use thresholds::{CONFIDENCE_TOGETHER, MIN_INDEPENDENT, MIN_INDEPENDENT_TOGETHER, MIN_UNANIMOUS};
