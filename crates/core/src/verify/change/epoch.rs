@@ -30,7 +30,7 @@ impl<'a> Epoch<'a> {
         self.fitted.observations.seen[at].position()
     }
 
-    /// How many samples' worth of independent measurements seen sample `at` is, at most 1.
+    /// How many samples' worth of independent measurements seen sample `at` is: at most 1, without unit.
     pub fn independence(&self, at: usize) -> f64 {
         f64::from(self.fitted.observations.seen[at].independence)
     }

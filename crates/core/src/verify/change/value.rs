@@ -6,7 +6,9 @@ use super::epoch::Epoch;
 use super::paired::{Paired, PairedSamples};
 use crate::error::{Error, Mismatch};
 use crate::verify::evidence::Evidence;
-use crate::verify::verdict::{CONFIDENCE_TOGETHER, MIN_INDEPENDENT, MIN_INDEPENDENT_TOGETHER, MIN_UNANIMOUS};
+use crate::verify::verdict::{
+    CONFIDENCE_TOGETHER, MIN_INDEPENDENT, MIN_INDEPENDENT_TOGETHER, MIN_UNANIMOUS, may_count_together,
+};
 use crate::{Interrupt, Result};
 
 /// What became of an object between two epochs, with the numbers that say so.
@@ -35,7 +37,7 @@ impl ObjectChange {
         if independent < MIN_INDEPENDENT.min(alone.samples.samples as f64) {
             alone.class = ObjectChangeClass::NotComparable;
         }
-        if alone.class != ObjectChangeClass::NotComparable || confidence <= CONFIDENCE_TOGETHER {
+        if alone.class != ObjectChangeClass::NotComparable || !may_count_together(old.model()) {
             return Ok(alone);
         }
         // As a verdict asks what few beams told of: together, where nearly all say the same.

@@ -24,7 +24,7 @@ mod viewing_geometry;
 
 pub(super) use beam_model::{BeamModel, measures_deviations};
 pub use intensity::IntensityNoise;
-pub(super) use kernel::{KERNEL_SPACINGS, same_surface};
+pub(super) use kernel::{BEAMS_IN_KERNEL, KERNEL_SPACINGS, same_surface};
 pub use kind::ModelKind;
 pub(super) use kind::with_model;
 pub(super) use meyer2022::Meyer2022;

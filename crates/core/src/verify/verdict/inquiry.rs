@@ -6,7 +6,7 @@ use super::reason::Reason;
 use super::rule::{Verdict, VerdictRule};
 use super::thresholds::{CONFIDENCE_TOGETHER, MIN_INDEPENDENT_TOGETHER, MIN_UNANIMOUS};
 use crate::verify::evidence::{Evidence, StationOrigin};
-use crate::verify::model::{EvidenceModel, Question, measures_deviations};
+use crate::verify::model::{BEAMS_IN_KERNEL, EvidenceModel, Question, measures_deviations};
 use crate::verify::surface::FittedObject;
 use crate::{Interrupt, Result};
 
@@ -27,8 +27,7 @@ impl Inquiry {
         let are_few = matches!(alone.judgement.reason, Reason::TooLittleSeen | Reason::TooFewMeasured);
         // Without an origin nobody knows which beams are independent.
         let are_known = evidence.stations().iter().all(|s| matches!(s.place, StationOrigin::At(_)));
-        let may_count = measures_deviations(&alone.model) && question.confidence > CONFIDENCE_TOGETHER;
-        if !(are_few && are_known && may_count) {
+        if !(are_few && are_known && may_count_together(&alone.model)) {
             return Ok(alone);
         }
         let question = Question { confidence: CONFIDENCE_TOGETHER, ..*question };
@@ -61,6 +60,13 @@ impl Inquiry {
         let is_empty = |sample: &&_| observations.mass(sample, &self.model).0.empty >= confidence;
         observations.seen.iter().filter(is_empty).map(|s| f64::from(s.independence)).sum()
     }
+}
+
+/// Whether places may be counted together for want of beams: not where a confidence is asked that all the beams around a
+/// place of one station could not reach.
+pub fn may_count_together(model: &EvidenceModel) -> bool {
+    let most = model.reliability * (1.0 - (-0.5 * BEAMS_IN_KERNEL).exp());
+    measures_deviations(model) && (CONFIDENCE_TOGETHER..most).contains(&model.question.confidence)
 }
 
 impl Evidence {

@@ -28,6 +28,7 @@ pub use contribution::Contribution;
 pub use counts::Counts;
 pub use face_report::FaceReport;
 pub use forecast::PlannedStation;
+pub(in crate::verify) use inquiry::may_count_together;
 pub use judged::Judged;
 pub use rule::{Verdict, VerdictRule};
 pub use summary::{Shares, Summary};
