@@ -1,6 +1,7 @@
 //! Bringing a scan into the frame of the model: an offset, or a transform with rotation and scale.
 
 use std::fmt;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -13,6 +14,9 @@ use super::RawScan;
 
 /// A rotation is one where its product with its transpose is 1 to within this; what a file writes with five digits.
 const MAX_SKEW: f64 = 1e-4;
+
+/// No such text is longer, bytes.
+const MAX_TEXT: u64 = 1 << 16;
 
 /// `model_from_file`: p ↦ s·R·p + t, metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,6 +34,8 @@ impl FrameTransform {
 
     /// From a text of 16 numbers, the rows of a 4 × 4 matrix as CloudCompare writes it, or of the first 12 of them.
     pub fn parse(text: &str) -> Result<Self> {
+        let text = text.trim_start_matches('\u{feff}').replace('\r', "\n");
+        let text = text.as_str();
         let Some(m) = numbers::<16>(text).or_else(|| numbers::<12>(text).map(with_last_row)) else {
             bail!("it is not 16 numbers, the rows of a 4 × 4 matrix (nor the 12 of its first three rows)");
         };
@@ -53,8 +59,12 @@ impl FrameTransform {
 
     /// From a file of such a text.
     pub fn read(file: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(file).with_context(|| format!("--transform {}", file.display()))?;
-        Self::parse(&text).with_context(|| format!("--transform {}", file.display()))
+        let read = || -> Result<Self> {
+            let mut text = String::new();
+            std::fs::File::open(file)?.take(MAX_TEXT).read_to_string(&mut text)?;
+            Self::parse(&text)
+        };
+        read().with_context(|| format!("--transform {}", file.display()))
     }
 
     /// Brings a scan from its file's frame into the model's.
@@ -179,6 +189,10 @@ mod tests {
             let error = FrameTransform::parse(text).unwrap_err().to_string();
             assert!(error.contains(said), "{text}: {error}");
         }
+        assert_eq!(
+            FrameTransform::parse(&QUARTER.replace('\n', "\r\n")).unwrap(),
+            FrameTransform::parse(QUARTER).unwrap()
+        );
         let twelve = FrameTransform::parse("1,0,0,5, 0,1,0,6, 0,0,1,7").unwrap();
         assert_eq!(twelve, FrameTransform::offset(Vec3::new(5.0, 6.0, 7.0)));
     }

@@ -16,8 +16,9 @@ pub struct Epoch<'a> {
 }
 
 impl<'a> Epoch<'a> {
-    /// Fits the object; its places are counted from `confidence` on. Whether it is there is asked at one class for all objects, the coarsest that tells a face from
-    /// what stands behind: its own class says where it should be, not whether it is the same as before.
+    /// Fits the object; its places are counted from `confidence` on. Whether it is there is asked at one class for all
+    /// objects, the coarsest that tells a face from what stands behind: its own class says where it should be, not whether
+    /// it is the same as before.
     pub fn of(evidence: &'a Evidence, confidence: f64, interrupt: Interrupt) -> Result<Self> {
         let question = Question { loa: Loa::Loa20, confidence };
         let model = evidence.asked(&question);
