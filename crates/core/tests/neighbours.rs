@@ -74,7 +74,7 @@ fn a_face_that_two_objects_share_confirms_neither_alone() {
 }
 
 /// Studs behind a board of 12.5 mm: pressed in by half of that, the board is no stud that stands out; taken off, it lays
-/// the studs bare. A board that is gone is not shown by an insulation that bulges.
+/// the studs bare.
 #[test]
 fn what_lies_between_two_layers_shows_neither() {
     let slab = |from: f64, to: f64| ([from, -2.0, -2.0], [to, 2.0, 2.0]);

@@ -3,7 +3,6 @@
 use std::fmt;
 use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
 use anyhow::{Context, Result, bail};
 use asbuilt_core::geometry::Vec3;
@@ -110,25 +109,17 @@ impl fmt::Display for FrameTransform {
 #[derive(Debug, Clone, Default, PartialEq, clap::Args)]
 pub struct FrameOptions {
     /// Added to every coordinate of a scan, metres: from its frame into the model's (a false origin, a projected frame)
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, conflicts_with = "transform")]
-    pub offset: Option<Offset>,
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_metres, conflicts_with = "transform")]
+    pub offset: Option<Vec3>,
     /// Text with the 16 numbers of a 4 × 4 matrix, row by row (as CloudCompare writes it): from the scan's frame into the model's,
     /// a rotation, one scale and an offset, metres
     #[arg(long, value_name = "FILE")]
     pub transform: Option<PathBuf>,
 }
 
-/// Three numbers, metres.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Offset(pub Vec3);
-
-impl FromStr for Offset {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let numbers = numbers::<3>(text).ok_or_else(|| format!("\"{text}\" is not three numbers x,y,z"))?;
-        Ok(Self(Vec3::from(numbers)))
-    }
+/// Three numbers on the command line, metres.
+pub fn parse_metres(text: &str) -> Result<Vec3, String> {
+    numbers::<3>(text).map(Vec3::from).ok_or_else(|| format!("\"{text}\" is not three numbers x,y,z"))
 }
 
 impl FrameOptions {
@@ -136,13 +127,13 @@ impl FrameOptions {
     pub fn model_from_file(&self) -> Result<Option<FrameTransform>> {
         match (&self.transform, self.offset) {
             (Some(file), _) => FrameTransform::read(file).map(Some),
-            (None, offset) => Ok(offset.map(|Offset(by)| FrameTransform::offset(by))),
+            (None, offset) => Ok(offset.map(FrameTransform::offset)),
         }
     }
 
     /// As arguments of a command line.
     pub fn arguments(&self) -> impl Iterator<Item = String> {
-        let offset = self.offset.map(|Offset(by)| format!("--offset={},{},{}", by.x, by.y, by.z));
+        let offset = self.offset.map(|by| format!("--offset={},{},{}", by.x, by.y, by.z));
         offset.into_iter().chain(self.transform.as_ref().map(|file| format!("--transform={}", file.display())))
     }
 }

@@ -43,7 +43,7 @@ use asbuilt_core::scan::{Beam, Beams};
 use indicatif::ProgressBar;
 
 pub use content::{FileContents, FileFormat, form, kind};
-pub use frame::{FrameOptions, FrameTransform, Offset};
+pub use frame::{FrameOptions, FrameTransform};
 pub use options::ReadOptions;
 use origin::Settler;
 pub use origin::{IdentityPose, OriginSource, OriginsChoice};

@@ -1,16 +1,16 @@
 //! How to read scans: on the command line of `load` and `inspect`, and of the process that reads for them.
 
 use asbuilt_core::geometry::Vec3;
-use asbuilt_core::num::text::numbers;
 use clap::ValueEnum;
 
+use super::frame::parse_metres;
 use super::origin::Listing;
 use super::{Columns, FrameOptions, IdentityPose, OriginsChoice, Unit};
 
 #[derive(clap::Args, Debug, Clone, Default)]
 pub struct ReadOptions {
     /// The scanner's position, for files that do not tell it
-    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_origin)]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_metres)]
     pub origin: Option<Vec3>,
     /// Several scanner positions: a text with a line station,x,y,z[,sd] each (metres), where a station is a point source id of LAS,
     /// or the name or the number of a scan; or none: points without origin, whatever the file says; or recover: find the
@@ -76,10 +76,6 @@ pub fn word(value: &impl ValueEnum) -> String {
     value.to_possible_value().map(|v| v.get_name().to_owned()).unwrap_or_default()
 }
 
-fn parse_origin(text: &str) -> Result<Vec3, String> {
-    numbers::<3>(text).map(Vec3::from).ok_or_else(|| format!("\"{text}\" is not three numbers x,y,z"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -101,7 +97,7 @@ mod tests {
             columns: Some("-,y,x,z".parse().unwrap()),
             decimal_comma: true,
             file_unit: Some(Unit::UsFt),
-            frame: FrameOptions { offset: "-1e6,0.25,-3".parse().ok(), transform: None },
+            frame: FrameOptions { offset: parse_metres("-1e6,0.25,-3").ok(), transform: None },
             keep_noise: true,
             identity_pose: IdentityPose::Merged,
         };

@@ -33,6 +33,11 @@ impl Unit {
         }
     }
 
+    /// As `--file-unit` takes it.
+    pub fn word(self) -> String {
+        word(&self)
+    }
+
     pub fn name(self) -> &'static str {
         match self {
             Self::M => "metres",
@@ -67,5 +72,5 @@ pub fn apply(unit: Option<Unit>, scan: &mut RawScan) {
     let Some(unit) = unit.filter(|u| *u != Unit::M) else { return };
     scan.content.beams.iter_mut().for_each(|b| b.offset *= unit.metres());
     scan.anchor *= unit.metres();
-    scan.notes.push(format!("its numbers are taken for {} (--file-unit {})", unit.name(), word(&unit)));
+    scan.notes.push(format!("its numbers are taken for {} (--file-unit {})", unit.name(), unit.word()));
 }

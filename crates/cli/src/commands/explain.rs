@@ -8,10 +8,10 @@ use postgres::Row;
 use super::verify::query::explanations;
 use super::verify::question::QuestionArgs;
 use super::verify::selection::ids_of;
-use crate::database::connect::{Database, DatabaseArgs};
+use crate::database::connect::DatabaseArgs;
 use crate::database::origins::StationOrigins;
 use crate::database::tables;
-use crate::output::{safe, say, to_stdout};
+use crate::output::{safe, to_stdout};
 
 #[derive(clap::Args, Debug)]
 #[command(after_long_help = "\
@@ -37,7 +37,7 @@ pub fn run(args: &ExplainArgs) -> Result<()> {
     tables::check_epoch(&mut db, args.question.epoch)?;
     let ids = ids_of(&mut db, &args.objects)?;
     let rows = explanations(&args.question, &mut db, &ids)?;
-    remark(args, &mut db)?;
+    StationOrigins::warn(&mut db, args.question.epoch)?;
     to_stdout(|out| {
         for (i, row) in rows.iter().enumerate() {
             if i > 0 {
@@ -66,11 +66,4 @@ fn title(row: &Row) -> String {
     let storey = row.get::<_, Option<&str>>(4).map_or(String::new(), |s| format!(", {s}"));
     let (id, name, global_id, class): (i64, &str, &str, &str) = (row.get(0), row.get(1), row.get(2), row.get(3));
     format!("{name} ({class}{storey}; id {id}, {global_id})")
-}
-
-fn remark(args: &ExplainArgs, db: &mut Database) -> Result<()> {
-    if let Some(remark) = StationOrigins::count(db, args.question.epoch)?.remark() {
-        say!("asbuilt: {remark}");
-    }
-    Ok(())
 }

@@ -3,6 +3,7 @@
 use anyhow::Result;
 
 use super::connect::{Database, explain};
+use crate::output::say;
 
 /// Stations of an epoch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,9 +20,17 @@ FROM   @station t
 WHERE  t.epoch = $1::int4";
 
 impl StationOrigins {
-    pub fn count(db: &mut Database, epoch: i32) -> Result<Self> {
+    fn count(db: &mut Database, epoch: i32) -> Result<Self> {
         let row = db.client.query_one(&db.sql(COUNT), &[&epoch]).map_err(explain)?;
         Ok(Self { stations: row.get(0), without_origin: row.get(1) })
+    }
+
+    /// Says on standard error what verdicts on an epoch suffer from stations without origin.
+    pub fn warn(db: &mut Database, epoch: i32) -> Result<()> {
+        if let Some(remark) = Self::count(db, epoch)?.remark() {
+            say!("asbuilt: {remark}");
+        }
+        Ok(())
     }
 
     /// What is to be said of verdicts on them; `None` where every station has an origin.

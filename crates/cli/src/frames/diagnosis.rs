@@ -3,7 +3,7 @@
 use asbuilt_core::geometry::Aabb;
 
 use super::fit::Boxes;
-use super::hypothesis::{AS_READ, Hypothesis, UNITS};
+use super::hypothesis::{AS_READ, Hypothesis};
 
 /// Scans of which this share lies near objects are where they belong.
 const AT_HOME: f64 = 0.75;
@@ -23,6 +23,10 @@ const SIZE: f64 = 4.0;
 const ELSEWHERE: f64 = 0.02;
 /// A station of which less than this lies near objects, where most of the others do, is not where it says.
 const LOST: f64 = 0.05;
+
+/// Scans so many times the model's size away are in another frame; a model is no smaller than this for it, metres.
+const FAR: f64 = 10.0;
+const SMALL_M: f64 = 10.0;
 
 /// The scans of a station.
 pub struct StationBoxes {
@@ -65,15 +69,18 @@ pub fn diagnoses(objects: &[Aabb], stations: &[StationBoxes]) -> Vec<String> {
 }
 
 fn mended_by(h: &Hypothesis) -> String {
-    let unit = |scale: f64| UNITS.iter().find(|u| (u.0 / scale - 1.0).abs() < 1e-9);
-    match (unit(h.scale), unit(1.0 / h.scale)) {
-        (Some((_, name, word)), _) => format!(
-            "the scans fit the model as if they counted in {name}: load them with --file-unit {word}, or where the file claims \
+    match h.units() {
+        [Some(unit), _] => format!(
+            "the scans fit the model as if they counted in {}: load them with --file-unit {}, or where the file claims \
              metres, with --transform FILE that holds {}",
+            unit.name(),
+            unit.word(),
             h.rows()
         ),
-        (_, Some((_, name, word))) => format!(
-            "the model fits the scans as if it counted in {name} and was read as metres: load it with --file-unit {word}"
+        [_, Some(unit)] => format!(
+            "the model fits the scans as if it counted in {} and was read as metres: load it with --file-unit {}",
+            unit.name(),
+            unit.word()
         ),
         _ => format!(
             "the scans fit the model with their axes exchanged: load them with --transform FILE that holds {}",
@@ -83,9 +90,9 @@ fn mended_by(h: &Hypothesis) -> String {
 }
 
 fn apart(boxes: &Boxes) -> String {
-    let ([x, y, z], size) = boxes.apart(&AS_READ);
+    let ([x, y, z], size) = boxes.apart();
     let far = x.hypot(y).hypot(z);
-    if far > 10.0 * size.max(10.0) {
+    if far > FAR * size.max(SMALL_M) {
         return format!(
             "the scans lie {far:.0} m from the model, as in a projected frame beside a local one: bring them into the model's with \
              --offset X,Y,Z or --transform FILE when loading them (their middles differ by {x:.1},{y:.1},{z:.1})"

@@ -2,7 +2,7 @@
 
 use asbuilt_core::geometry::Aabb;
 
-use super::hypothesis::Hypothesis;
+use super::hypothesis::{AS_READ, Hypothesis};
 
 /// A patch is near an object where their boxes are this near, metres.
 const NEAR_M: f64 = 0.1;
@@ -10,7 +10,6 @@ const NEAR_M: f64 = 0.1;
 const LARGE: f64 = 0.25;
 /// What is left when this part of the patches is cut off at either end of each axis is where the scan is.
 const TAIL: f64 = 0.05;
-
 /// Of some thousand neighbouring beams, as far as half of the patches measure across, metres.
 const PATCH_M: std::ops::RangeInclusive<f64> = 0.02..=20.0;
 
@@ -20,7 +19,7 @@ pub struct Boxes {
     objects: Vec<Aabb>,
     model: Aabb,
     /// Of the returns of patches.
-    pub patches: Vec<Aabb>,
+    patches: Vec<Aabb>,
 }
 
 /// How well they lie on each other.
@@ -51,7 +50,7 @@ impl Boxes {
         for patch in &patches {
             let mut is_near = false;
             for (object, hit) in self.objects.iter().zip(&mut hit) {
-                let meets = (0..3).all(|k| patch.min[k] <= object.max[k] && object.min[k] <= patch.max[k]);
+                let meets = patch.overlaps(object);
                 is_near |= meets;
                 *hit |= meets;
             }
@@ -76,9 +75,9 @@ impl Boxes {
         PATCH_M.contains(&sizes[sizes.len() / 2])
     }
 
-    /// From the middle of where the scans are to the model's, metres; and the model's size.
-    pub fn apart(&self, hypothesis: &Hypothesis) -> ([f64; 3], f64) {
-        let by = self.model.centre() - self.scanned(hypothesis).centre();
+    /// From the middle of where the scans are, as they are read, to the model's, metres; and the model's size.
+    pub fn apart(&self) -> ([f64; 3], f64) {
+        let by = self.model.centre() - self.scanned(&AS_READ).centre();
         (by.into(), self.model.diagonal())
     }
 

@@ -1,6 +1,7 @@
 //! What may be wrong with the frame of scans.
 
 use asbuilt_core::geometry::{Aabb, Vec3};
+use asbuilt_read::Unit;
 
 /// How scans would have to be read to fit the model.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,9 +15,8 @@ pub struct Hypothesis {
 /// As they are.
 pub const AS_READ: Hypothesis = Hypothesis { axes: [(0, 1.0), (1, 1.0), (2, 1.0)], scale: 1.0 };
 
-/// The units that are mistaken for each other: how long what was read as a metre is, and what it is called.
-pub const UNITS: [(f64, &str, &str); 4] =
-    [(0.3048, "feet", "ft"), (0.001, "millimetres", "mm"), (0.01, "centimetres", "cm"), (0.0254, "inches", "in")];
+/// The units that are mistaken for metres; both feet are the same to boxes.
+const UNITS: [Unit; 4] = [Unit::Ft, Unit::Mm, Unit::Cm, Unit::In];
 
 /// Upright is y, or x and y are exchanged, as in files of other trades.
 const TURNED: [[(usize, f64); 3]; 3] =
@@ -25,7 +25,7 @@ const TURNED: [[(usize, f64); 3]; 3] =
 impl Hypothesis {
     /// All that are tried beside [`AS_READ`].
     pub fn others() -> impl Iterator<Item = Self> {
-        let scales = UNITS.iter().flat_map(|u| [u.0, 1.0 / u.0]).map(|scale| Self { scale, ..AS_READ });
+        let scales = UNITS.iter().flat_map(|u| [u.metres(), 1.0 / u.metres()]).map(|scale| Self { scale, ..AS_READ });
         scales.chain(TURNED.into_iter().map(|axes| Self { axes, ..AS_READ }))
     }
 
@@ -36,6 +36,12 @@ impl Hypothesis {
 
     fn of_place(&self, place: &Vec3) -> Vec3 {
         Vec3::from(self.axes.map(|(axis, sense)| place[axis] * sense * self.scale))
+    }
+
+    /// The unit that scans read as metres would have to count in; and the one of the model, if the scans are right.
+    pub fn units(&self) -> [Option<Unit>; 2] {
+        let unit = |scale: f64| UNITS.into_iter().find(|u| (u.metres() / scale - 1.0).abs() < 1e-9);
+        [unit(self.scale), unit(1.0 / self.scale)]
     }
 
     /// The rows of the transform that `asbuilt load --transform` takes.

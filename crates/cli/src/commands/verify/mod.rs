@@ -19,7 +19,7 @@ use crate::database::connect::DatabaseArgs;
 use crate::database::origins::StationOrigins;
 use crate::database::tables;
 use crate::frames::check;
-use crate::output::{Format, LengthUnit, Table, say};
+use crate::output::{Format, LengthUnit, Table};
 use columns::{Layout, cells, columns};
 use query::judged;
 use question::QuestionArgs;
@@ -92,9 +92,7 @@ pub fn run(args: &VerifyArgs) -> Result<()> {
     let layout = Layout { format: args.format, unit: LengthUnit::or_default(args.units, args.format) };
     let mut table = Table::new(&columns(layout));
     objects.iter().for_each(|o| table.push(cells(o, layout)));
-    if let Some(remark) = StationOrigins::count(&mut db, args.question.epoch)?.remark() {
-        say!("asbuilt: {remark}");
-    }
+    StationOrigins::warn(&mut db, args.question.epoch)?;
     table.print_with(args.format, &sum(objects.iter().map(|o| o.verdict.as_str()), all))?;
     let is_found = args.fail_on.iter().any(|v| objects.iter().any(|o| o.verdict == v.name()));
     if is_found {
